@@ -1,0 +1,84 @@
+// Parses the command line, runs the chosen command and turns every error into one sentence and an exit code.
+#include "app/commands.h"
+#include "graph/problem.h"
+
+#include <iostream>
+
+namespace {
+
+using namespace fieldwright;
+
+constexpr int usage_error = 2;
+constexpr int shader_error = 6;
+
+int complain(const std::string& sentence, int code)
+{
+    std::cerr << "fieldwright: " << sentence << "\n";
+    return code;
+}
+
+// Words that no command took: a scene alone asks for the window, anything else is a slip.
+int explain_words(const CLI::App& parser, const std::vector<std::string>& words)
+{
+    const std::string& first = words.front();
+    bool chosen = !parser.get_subcommands().empty();
+    std::error_code error;
+    if (!chosen && (first.ends_with(".scene.json") || std::filesystem::exists(first, error)))
+        return complain("this version has no window yet; draw the scene with `fieldwright render " + first + " -o " +
+                            std::filesystem::path(first).stem().stem().string() + ".png`",
+                        usage_error);
+    if (first.starts_with("-") || chosen)
+        return complain("the argument `" + first + "` was not expected; see `fieldwright --help`", usage_error);
+    std::string names;
+    for (const CLI::App* command : parser.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
+    return complain("`" + first + "` is neither a command nor a scene file; the commands are " + names, usage_error);
+}
+
+int run(int argc, char** argv)
+{
+    app::Session session;
+    bool version = false, json = false;
+    CLI::App parser("Fieldwright: node graphs of signed distance fields, drawn by sphere tracing.", "fieldwright");
+    parser.add_flag("--version", version, "Print the version and stop");
+    parser.add_flag("--json", json, "With --version: as JSON");
+    for (auto add : {app::add_render, app::add_eval, app::add_check, app::add_export, app::add_nodes, app::add_new, app::add_info})
+        add(parser, session);
+    constexpr auto shaders_help = "Read node files and shading from this folder instead of those built in";
+    parser.add_option("--shaders", session.shaders, shaders_help);
+    for (CLI::App* command : parser.get_subcommands({})) command->add_option("--shaders", session.shaders, shaders_help);
+    parser.allow_extras();
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return parser.exit(error);
+        return complain(std::string(error.what()) + "; see `fieldwright --help`", usage_error);
+    }
+    if (std::vector<std::string> words = parser.remaining(); !words.empty()) return explain_words(parser, words);
+    if (session.action) return session.action();
+    if (version) {
+        app::print_version(json);
+        return 0;
+    }
+    std::cerr << parser.help() << "\nThe editor window comes with the next version.\n";
+    return usage_error;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    std::ios::sync_with_stdio(false);
+    try {
+        int code = run(argc, argv);
+        if (!std::cout.flush()) return complain("the standard output cannot be written; check the disk or the pipe", 5);
+        return code;
+    } catch (const graph::Failure& failure) {
+        return complain(failure.what(), failure.exit_code);
+    } catch (const graph::DialectError& error) {
+        return complain(error.what(), shader_error);
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory; use a smaller picture or scene", 1);
+    } catch (const std::exception& error) {
+        return complain(error.what(), 1);
+    }
+}

@@ -1,0 +1,156 @@
+// Reads the scene that a command names and makes the changes of `--set`.
+#include "app/scene_arguments.h"
+
+#include "graph/edits.h"
+#include "graph/scene_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+namespace fieldwright::app {
+namespace {
+
+using graph::Document;
+using graph::Failure;
+using graph::Library;
+using graph::Node;
+using graph::NodeId;
+
+std::string finite_number(const std::string& text)
+{
+    float number = 0;
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(number) ? "" : "`" + text + "` is not a finite number";
+}
+
+template <typename Matches>
+std::vector<const Node*> nodes_where(const Document& document, Matches matches)
+{
+    std::vector<const Node*> found;
+    for (const Node& node : document.root.nodes)
+        if (matches(node)) found.push_back(&node);
+    return found;
+}
+
+// The node meant by an id, a name or, where nothing has that name, a type.
+NodeId find_node(const Document& document, const std::string& word)
+{
+    std::int64_t number = 0;
+    auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error == std::errc() && end == word.data() + word.size()) {
+        if (document.root.find(NodeId{number})) return NodeId{number};
+        throw Failure(2, "--set: the scene has no node " + word + "; `fieldwright check` lists what it has");
+    }
+    std::vector<const Node*> found = nodes_where(document, [&](const Node& node) { return node.name == word; });
+    if (found.empty()) found = nodes_where(document, [&](const Node& node) { return node.type == word; });
+    if (found.empty()) throw Failure(2, "--set: the scene has no node named `" + word + "`; use a node's name or its id");
+    if (found.size() == 1) return found.front()->id;
+    std::string ids;
+    for (const Node* node : found) ids += (ids.empty() ? "" : ", ") + std::to_string(node->id.number);
+    throw Failure(2, "--set: `" + word + "` means several nodes (" + ids + "); use one of these ids instead");
+}
+
+// node.parameter=value; a node's name may hold dots, a parameter's cannot.
+void make_change(Document& document, const Library& library, const std::string& change)
+{
+    auto [target, value] = split_assignment(change);
+    std::size_t dot = target.rfind('.');
+    if (dot == std::string::npos || dot == 0)
+        throw Failure(2, "--set: `" + change + "` names no node; write node.parameter=value");
+    NodeId node = find_node(document, target.substr(0, dot));
+    set_from_text(document, library, node, target.substr(dot + 1), value);
+}
+
+std::string parameter_names(const graph::NodeType& type)
+{
+    std::string names;
+    for (const graph::Parameter& parameter : type.parameters)
+        if (parameter.kind != graph::ParameterKind::material) names += (names.empty() ? "" : ", ") + parameter.name;
+    return names.empty() ? "it has none" : "it has " + names;
+}
+
+}  // namespace
+
+void add_scene(CLI::App& command, SceneArguments& arguments)
+{
+    command.add_option("scene", arguments.path, "Scene file (*.scene.json)")->required();
+}
+
+void add_changes(CLI::App& command, SceneArguments& arguments)
+{
+    command
+        .add_option("--set", arguments.changes,
+                    "Change a parameter: node.parameter=value, where node is an id or a unique name; angles in degrees")
+        ->allow_extra_args(false);
+}
+
+void add_time(CLI::App& command, SceneArguments& arguments)
+{
+    command.add_option("--time", arguments.time, "Moment to show, in seconds")->check(finite_number)->default_str("0");
+}
+
+Document open_document(const SceneArguments& arguments, const Library& library)
+{
+    Document document = graph::open_scene(arguments.path, library);
+    for (const std::string& change : arguments.changes) make_change(document, library, change);
+    return document;
+}
+
+void set_from_text(Document& document, const Library& library, NodeId id, std::string_view name, std::string_view text)
+{
+    const Node& node = *document.root.find(id);
+    const graph::NodeType* type = library.type(node.type);
+    std::string what = "--set: " + node_label(document, id);
+    if (!type) throw Failure(2, what + " is of the unknown type `" + node.type + "` and cannot be changed");
+    const graph::Parameter* parameter = type->parameter(name);
+    if (!parameter || parameter->kind == graph::ParameterKind::material)
+        throw Failure(2, what + " has no parameter `" + std::string(name) + "`; " + parameter_names(*type));
+    std::optional<graph::Value> value = graph::parse_value(*parameter, text);
+    if (!value)
+        throw Failure(2, what + ": `" + std::string(text) + "` does not read as the " +
+                             std::string(graph::parameter_kind_name(parameter->kind)) + " `" + parameter->name + "`");
+    if (std::string error = graph::value_error(*parameter, *value); !error.empty())
+        throw Failure(2, what + ": `" + parameter->name + "` " + error);
+    if (node.input(name))
+        std::cerr << "warning: " << node_label(document, id) << ": `" << name
+                  << "` is wired, so the value after --set does not show\n";
+    if (graph::Refusal refusal = graph::set_parameter(document, library, id, name, *value))
+        throw Failure(2, what + ": " + *refusal);
+}
+
+std::pair<std::string, std::string> split_assignment(const std::string& text)
+{
+    std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw Failure(2, "--set: `" + text + "` has no value; write name=value");
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::string node_label(const Document& document, NodeId id)
+{
+    const Node* node = document.root.find(id);
+    std::string label = "node " + std::to_string(id.number);
+    if (!node) return id ? label : "scene";
+    return label + " \"" + (node->name.empty() ? node->type : node->name) + "\"";
+}
+
+void report_problems(const graph::Program& program, const Document& document)
+{
+    for (const graph::Problem& problem : program.problems)
+        std::cerr << "warning: " << node_label(document, problem.node) << ": " << problem.sentence << "\n";
+}
+
+void require_place(const std::filesystem::path& path)
+{
+    std::error_code error;
+    std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (!std::filesystem::is_directory(folder, error))
+        throw Failure(5, path.string() + ": the folder " + folder.string() + " does not exist; make it first");
+    if (std::filesystem::is_directory(path, error))
+        throw Failure(5, path.string() + ": is a folder; name a file in it");
+}
+
+}  // namespace fieldwright::app

@@ -1,0 +1,43 @@
+# Writes a .cpp that holds text files: cmake -DFOLDER=... -DLIST=... -DOUTPUT=... -P embed.cmake
+# LIST is a file with one path per line, relative to FOLDER.
+
+# A literal may hold 65,536 characters by the standard and 16,380 in some compilers.
+set(piece_limit 15000)
+
+# Sets `result` to the text as raw string literals, one under the other, cut at line ends.
+function(literals text result)
+    set(delimiter text)
+    string(FIND "${text}" ")${delimiter}\"" clash)
+    while(NOT clash EQUAL -1)
+        string(APPEND delimiter _)
+        string(FIND "${text}" ")${delimiter}\"" clash)
+    endwhile()
+    set(pieces "")
+    string(LENGTH "${text}" length)
+    while(length GREATER piece_limit)
+        string(SUBSTRING "${text}" 0 ${piece_limit} piece)
+        string(FIND "${piece}" "\n" cut REVERSE)
+        if(cut EQUAL -1)
+            message(FATAL_ERROR "A line of more than ${piece_limit} characters cannot be embedded; break it.")
+        endif()
+        math(EXPR cut "${cut} + 1")
+        string(SUBSTRING "${text}" 0 ${cut} piece)
+        string(SUBSTRING "${text}" ${cut} -1 text)
+        string(APPEND pieces "\n         R\"${delimiter}(${piece})${delimiter}\"")
+        string(LENGTH "${text}" length)
+    endwhile()
+    set(${result} "${pieces}\n         R\"${delimiter}(${text})${delimiter}\"" PARENT_SCOPE)
+endfunction()
+
+set(code "// Generated from shaders/ by cmake/embed.cmake.\n#include \"graph/library.h\"\n\n")
+string(APPEND code "namespace fieldwright::graph {\n\n")
+string(APPEND code "const std::map<std::string, std::string>& embedded_texts() {\n")
+string(APPEND code "    static const std::map<std::string, std::string> texts = {\n")
+file(STRINGS ${LIST} paths)
+foreach(path ${paths})
+    file(READ ${FOLDER}/${path} text)
+    literals("${text}" literal)
+    string(APPEND code "        {\"${path}\",${literal}},\n")
+endforeach()
+string(APPEND code "    };\n    return texts;\n}\n\n}  // namespace fieldwright::graph\n")
+file(WRITE ${OUTPUT} "${code}")

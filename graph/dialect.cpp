@@ -1,0 +1,458 @@
+// The parser and the lint of the dialect.
+#include "graph/dialect.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+
+namespace fieldwright::graph {
+namespace {
+
+enum class TokenKind { word, number, symbol, comment, end };
+
+struct Token {
+    TokenKind kind;
+    std::string_view text;
+    int line;
+    std::size_t offset;
+};
+
+constexpr std::array forbidden_words = {"out",     "inout",  "in",      "while",   "do",       "switch",  "goto",
+                                        "uniform", "varying", "attribute", "layout", "texture",  "discard", "inverse",
+                                        "double",  "union",  "template", "class",   "namespace", "using",  "inversesqrt"};
+
+constexpr std::array reserved_names = {
+    "active",  "asm",      "atomic_uint", "auto",   "buffer", "case",     "catch",   "char",   "common",   "default",
+    "delete",  "enum",     "explicit",    "export", "extern", "external", "filter",  "fixed",  "friend",   "half",
+    "highp",   "image2D",  "inline",      "input",  "interface", "long",  "lowp",    "mediump", "new",     "noinline",
+    "operator", "output",  "partition",   "precision", "private", "protected", "public", "register", "resource", "sample",
+    "short",   "signed",   "sizeof",      "smooth", "static", "subroutine", "superp", "this",  "throw",    "try",
+    "typedef", "typename", "unsigned",    "virtual", "volatile", "flat",  "centroid", "patch", "xor",      "and",
+    "or",      "not",      "register",    "restrict"};
+
+template <typename List>
+bool contains(const List& list, std::string_view word)
+{
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+BaseType base_type(std::string_view word)
+{
+    static const std::map<std::string_view, BaseType> types = {
+        {"float", BaseType::real}, {"int", BaseType::integer}, {"bool", BaseType::boolean}, {"vec2", BaseType::vec2},
+        {"vec3", BaseType::vec3},  {"vec4", BaseType::vec4},   {"mat2", BaseType::mat2},    {"mat3", BaseType::mat3},
+        {"List", BaseType::list}};
+    auto found = types.find(word);
+    return found == types.end() ? BaseType::none : found->second;
+}
+
+bool is_word_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_word_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+class Lexer {
+public:
+    Lexer(const std::string& path, std::string_view text) : path_(path), text_(text) {}
+
+    std::vector<Token> tokens()
+    {
+        std::vector<Token> result;
+        while (skip_space()) result.push_back(next());
+        result.push_back({TokenKind::end, {}, line_, text_.size()});
+        return result;
+    }
+
+private:
+    bool skip_space()
+    {
+        while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) {
+            if (text_[at_] == '\n') ++line_;
+            ++at_;
+        }
+        return at_ < text_.size();
+    }
+
+    Token next()
+    {
+        std::size_t start = at_;
+        char c = text_[at_];
+        if (text_.substr(at_, 2) == "//") return comment(start);
+        if (text_.substr(at_, 2) == "/*") throw DialectError(path_, line_, "comments are written with //");
+        if (c == '#') throw DialectError(path_, line_, "preprocessor lines are not part of the dialect; remove the #");
+        if (c == '\\' || c == '"' || c == '`' || c == '@' || c == '$')
+            throw DialectError(path_, line_, std::string("the character ") + c + " is not part of the dialect");
+        if (is_word_start(c)) return take(TokenKind::word, start, is_word_part);
+        if (is_digit(c) || (c == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))) return number(start);
+        ++at_;
+        return {TokenKind::symbol, text_.substr(start, 1), line_, start};
+    }
+
+    Token comment(std::size_t start)
+    {
+        while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+        return {TokenKind::comment, text_.substr(start, at_ - start), line_, start};
+    }
+
+    Token take(TokenKind kind, std::size_t start, bool (*belongs)(char))
+    {
+        while (at_ < text_.size() && belongs(text_[at_])) ++at_;
+        return {kind, text_.substr(start, at_ - start), line_, start};
+    }
+
+    Token number(std::size_t start)
+    {
+        while (at_ < text_.size()) {
+            char c = text_[at_];
+            bool exponent_sign = (c == '+' || c == '-') && (text_[at_ - 1] == 'e' || text_[at_ - 1] == 'E');
+            if (!is_word_part(c) && c != '.' && !exponent_sign) break;
+            ++at_;
+        }
+        Token token{TokenKind::number, text_.substr(start, at_ - start), line_, start};
+        check_number(token);
+        return token;
+    }
+
+    void check_number(const Token& token) const
+    {
+        bool real = token.text.find_first_of(".eE") != std::string_view::npos;
+        bool suffixed = token.text.back() == 'f';
+        if (real && !suffixed)
+            throw DialectError(path_, token.line,
+                               "the number " + std::string(token.text) + " needs the suffix f, as in " +
+                                   std::string(token.text) + "f");
+        if (!real && suffixed)
+            throw DialectError(path_, token.line, "the number " + std::string(token.text) + " needs a decimal point");
+    }
+
+    const std::string& path_;
+    std::string_view text_;
+    std::size_t at_ = 0;
+    int line_ = 1;
+};
+
+std::string_view comment_text(std::string_view comment)
+{
+    comment.remove_prefix(2);
+    if (!comment.empty() && comment.front() == ' ') comment.remove_prefix(1);
+    while (!comment.empty() && std::isspace(static_cast<unsigned char>(comment.back()))) comment.remove_suffix(1);
+    return comment;
+}
+
+class Parser {
+public:
+    Parser(SourceFile& file, const std::vector<std::string>& struct_names) : file_(file), struct_names_(struct_names)
+    {
+        tokens_ = Lexer(file.path, file.text).tokens();
+    }
+
+    void parse()
+    {
+        header();
+        while (peek().kind != TokenKind::end) declaration();
+    }
+
+private:
+    [[noreturn]] void fail(const Token& token, const std::string& rule) const
+    {
+        throw DialectError(file_.path, token.line, rule);
+    }
+
+    void header()
+    {
+        int expected_line = 1;
+        while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::comment && tokens_[at_].line == expected_line) {
+            file_.header.emplace_back(comment_text(tokens_[at_].text));
+            ++at_;
+            ++expected_line;
+        }
+        if (file_.header.empty()) fail(tokens_[0], "the file must begin with a line `// Title: what it is.`");
+    }
+
+    const Token& peek()
+    {
+        while (tokens_[at_].kind == TokenKind::comment) ++at_;
+        return tokens_[at_];
+    }
+
+    Token take()
+    {
+        Token token = peek();
+        if (token.kind != TokenKind::end) ++at_;
+        return token;
+    }
+
+    Token expect(std::string_view text)
+    {
+        Token token = take();
+        if (token.text != text)
+            fail(token, "expected `" + std::string(text) + "`, found `" + std::string(token.text) + "`");
+        return token;
+    }
+
+    Token expect_name()
+    {
+        Token token = take();
+        if (token.kind != TokenKind::word) fail(token, "expected a name, found `" + std::string(token.text) + "`");
+        check_name(token);
+        return token;
+    }
+
+    void check_name(const Token& token) const
+    {
+        if (contains(reserved_names, token.text) || contains(forbidden_words, token.text))
+            fail(token, "`" + std::string(token.text) + "` is a reserved word of GLSL or C++; use another name");
+        if (token.text.starts_with("gl_") || token.text.find("__") != std::string_view::npos)
+            fail(token, "`" + std::string(token.text) + "` is reserved for the GLSL compiler; use another name");
+    }
+
+    bool is_type(std::string_view word) const
+    {
+        return base_type(word) != BaseType::none || contains(struct_names_, word) ||
+               std::any_of(file_.structs.begin(), file_.structs.end(), [&](const auto& s) { return s.name == word; });
+    }
+
+    Type type()
+    {
+        Token token = take();
+        if (!is_type(token.text)) fail(token, "`" + std::string(token.text) + "` is not a type of the dialect");
+        BaseType base = base_type(token.text);
+        return {base == BaseType::none ? BaseType::structure : base, std::string(token.text)};
+    }
+
+    void declaration()
+    {
+        if (peek().text == "struct")
+            structure();
+        else if (peek().text == "const")
+            constant();
+        else
+            function();
+    }
+
+    std::string text_from(std::size_t first_offset, const Token& last) const
+    {
+        return file_.text.substr(first_offset, last.offset + last.text.size() - first_offset);
+    }
+
+    void structure()
+    {
+        Token keyword = take();
+        StructDeclaration declared;
+        declared.line = keyword.line;
+        declared.name = expect_name().text;
+        expect("{");
+        while (peek().text != "}") {
+            Type member_type = type();
+            declared.members.push_back({member_type, std::string(expect_name().text)});
+            expect(";");
+        }
+        take();
+        declared.text = text_from(keyword.offset, expect(";"));
+        file_.structs.push_back(std::move(declared));
+    }
+
+    void constant()
+    {
+        Token keyword = take();
+        type();
+        expect_name();
+        expect("=");
+        while (peek().text != ";" && peek().kind != TokenKind::end) check_body_token(take());
+        file_.constants.push_back(text_from(keyword.offset, expect(";")));
+    }
+
+    void function()
+    {
+        Token start = peek();
+        Function function;
+        function.file = file_.path;
+        function.line = start.line;
+        function.result = type();
+        function.name = expect_name().text;
+        for (const Function& other : file_.functions)
+            if (other.name == function.name) fail(start, "`" + function.name + "` is defined twice; use another name");
+        expect("(");
+        while (peek().text != ")") argument(function);
+        Token closing = expect(")");
+        if (!function.arguments.empty()) take_argument_comment(function.arguments.back(), closing);
+        expect("{");
+        Token last = body(function);
+        function.text = text_from(start.offset, last);
+        file_.functions.push_back(std::move(function));
+    }
+
+    void argument(Function& function)
+    {
+        Argument argument;
+        argument.type = type();
+        Token name = expect_name();
+        argument.name = name.text;
+        argument.line = name.line;
+        for (const Argument& other : function.arguments)
+            if (other.name == argument.name) fail(name, "the argument `" + argument.name + "` is declared twice");
+        function.arguments.push_back(argument);
+        if (peek().text == ",") {
+            take_argument_comment(function.arguments.back(), take());
+        } else if (peek().text != ")") {
+            fail(peek(), "expected `,` or `)` after the argument `" + argument.name + "`");
+        }
+    }
+
+    void take_argument_comment(Argument& argument, const Token& separator)
+    {
+        const Token& next = tokens_[at_];
+        if (next.kind == TokenKind::comment && next.line == separator.line && next.line == argument.line)
+            argument.comment = comment_text(next.text);
+    }
+
+    // Walks the body to its closing brace, checks every token and counts loop iterations.
+    Token body(Function& function)
+    {
+        struct Scope {
+            int brace_depth;
+            double multiplicity;
+        };
+        std::vector<Scope> loops;  // enclosing for loops
+        double multiplicity = 1, iterations = 0;
+        int depth = 1;
+        double pending_loop = 0;  // iterations of a `for (...)` header just read
+        while (true) {
+            Token token = take();
+            if (token.kind == TokenKind::end) fail(token, "the body of `" + function.name + "` is not closed");
+            check_body_token(token);
+            if (token.text == "for") {
+                pending_loop = loop_header();
+                iterations += multiplicity * pending_loop;
+                if (peek().text != "{") fail(peek(), "the body of a loop is written in braces");
+            } else if (token.text == "{") {
+                ++depth;
+                if (pending_loop > 0) {
+                    loops.push_back({depth, multiplicity});
+                    multiplicity *= pending_loop;
+                    pending_loop = 0;
+                }
+            } else if (token.text == "}") {
+                if (!loops.empty() && loops.back().brace_depth == depth) {
+                    multiplicity = loops.back().multiplicity;
+                    loops.pop_back();
+                }
+                if (--depth == 0) {
+                    function.loop_iterations = static_cast<int>(std::min(iterations, 1e6));
+                    return token;
+                }
+            } else if (token.kind == TokenKind::word && peek().text == "(") {
+                iterations += multiplicity * callee_iterations(function, token);
+            }
+        }
+    }
+
+    double callee_iterations(const Function& caller, const Token& name) const
+    {
+        if (name.text == caller.name) fail(name, "`" + caller.name + "` calls itself; recursion is not part of the dialect");
+        for (const Function& other : file_.functions)
+            if (other.name == name.text) return other.loop_iterations;
+        return 0;
+    }
+
+    int integer_literal()
+    {
+        Token token = take();
+        int value = 0;
+        auto [end, error] = std::from_chars(token.text.data(), token.text.data() + token.text.size(), value);
+        if (token.kind != TokenKind::number || error != std::errc() || end != token.text.data() + token.text.size())
+            fail(token, "a loop's bounds are whole numbers, as in `for (int i = 0; i < 8; i++)`");
+        return value;
+    }
+
+    double loop_header()
+    {
+        expect("(");
+        expect("int");
+        Token name = expect_name();
+        expect("=");
+        int first = integer_literal();
+        expect(";");
+        expect(name.text);
+        expect("<");
+        int last = peek().text == "=" ? (take(), integer_literal() + 1) : integer_literal();
+        expect(";");
+        expect(name.text);
+        expect("+");
+        expect("+");
+        expect(")");
+        return std::max(1, last - first);
+    }
+
+    void check_body_token(const Token& token)
+    {
+        if (token.kind == TokenKind::word && contains(forbidden_words, token.text))
+            fail(token, "`" + std::string(token.text) + "` is not part of the dialect");
+        if (token.text == "round" && peek().text == "(")
+            fail(token, "GLSL and C++ round halves differently; write floor(x + 0.5f)");
+        if (token.kind == TokenKind::word && token.text != "float" && contains(reserved_names, token.text))
+            fail(token, "`" + std::string(token.text) + "` is a reserved word of GLSL or C++; use another name");
+        if (token.text == "." && tokens_[at_].kind == TokenKind::word) check_member(tokens_[at_]);
+        if (is_type(token.text) && peek().text == "[")
+            fail(token, "array constructors are not part of the dialect; use a List or separate variables");
+    }
+
+    void check_member(const Token& member) const
+    {
+        bool swizzle = member.text.size() > 1 && member.text.size() <= 4 &&
+                       (member.text.find_first_not_of("xyzw") == std::string_view::npos ||
+                        member.text.find_first_not_of("rgba") == std::string_view::npos);
+        if (swizzle)
+            fail(member, "the swizzle ." + std::string(member.text) +
+                             " is not part of the dialect; write out the components, as in vec2(p.x, p.z)");
+    }
+
+    SourceFile& file_;
+    const std::vector<std::string>& struct_names_;
+    std::vector<Token> tokens_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+DialectError::DialectError(std::string file_path, int line_number, const std::string& rule)
+    : std::runtime_error(file_path + ":" + std::to_string(line_number) + ": " + rule),
+      file(std::move(file_path)),
+      line(line_number)
+{
+}
+
+SourceFile parse_source(std::string path, std::string text, const std::vector<std::string>& struct_names)
+{
+    SourceFile file;
+    file.path = std::move(path);
+    file.text = std::move(text);
+    Parser(file, struct_names).parse();
+    return file;
+}
+
+int lane_count(const Type& type, const std::vector<StructDeclaration>& structs)
+{
+    switch (type.base) {
+        case BaseType::none: return 0;
+        case BaseType::real:
+        case BaseType::integer:
+        case BaseType::boolean: return 1;
+        case BaseType::vec2:
+        case BaseType::list: return 2;
+        case BaseType::vec3: return 3;
+        case BaseType::vec4:
+        case BaseType::mat2: return 4;
+        case BaseType::mat3: return 9;
+        case BaseType::structure: break;
+    }
+    for (const StructDeclaration& declared : structs) {
+        if (declared.name != type.name) continue;
+        int lanes = 0;
+        for (const auto& member : declared.members) lanes += lane_count(member.type, structs);
+        return lanes;
+    }
+    return 0;
+}
+
+}  // namespace fieldwright::graph

@@ -1,0 +1,342 @@
+// The edits: each checks first and changes the document only when nothing speaks against it.
+#include "graph/edits.h"
+
+#include "graph/json.h"
+#include "graph/limits.h"
+#include "graph/settings.h"
+#include "graph/wire_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fieldwright::graph {
+namespace {
+
+bool is_finite(glm::vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+std::string no_node(NodeId id) { return "there is no node " + std::to_string(id.number); }
+
+// A node of unknown type is its source text; an edit would be lost on save.
+Refusal placeholder_error(const Node& node)
+{
+    if (node.unknown_source.empty()) return std::nullopt;
+    return described(node) +
+           " is of a type this version does not know and is kept as it is; delete it or open the "
+           "scene with a newer version";
+}
+
+// The node, when it may be edited; else `refusal` says why not.
+Node* editable(Document& document, NodeId id, Refusal& refusal)
+{
+    Node* node = document.root.find(id);
+    refusal = node ? placeholder_error(*node) : no_node(id);
+    return refusal ? nullptr : node;
+}
+
+auto input_place(Node& node, std::string_view socket)
+{
+    return std::lower_bound(node.inputs.begin(), node.inputs.end(), socket,
+                            [](const auto& input, std::string_view name) { return input.first < name; });
+}
+
+bool feeds_something(const Graph& graph, NodeId id)
+{
+    auto uses = [id](const auto& input) { return input.second == id; };
+    return std::any_of(graph.nodes.begin(), graph.nodes.end(),
+                       [&](const Node& node) { return std::any_of(node.inputs.begin(), node.inputs.end(), uses); });
+}
+
+std::size_t wire_count(const Graph& graph)
+{
+    std::size_t count = 0;
+    for (const Node& node : graph.nodes) count += node.inputs.size();
+    return count;
+}
+
+// Visits what `start` is made of, itself first, until `visit` returns true. `visit` is asked once per node.
+template <typename Visit>
+bool visit_upstream(const Graph& graph, NodeId start, Visit visit)
+{
+    std::vector<bool> seen(graph.nodes.size());
+    std::vector<const Node*> stack = {graph.find(start)};
+    while (!stack.empty()) {
+        const Node* node = stack.back();
+        stack.pop_back();
+        auto index = static_cast<std::size_t>(node - graph.nodes.data());
+        if (seen[index]) continue;
+        seen[index] = true;
+        if (visit(*node)) return true;
+        for (const auto& [socket, from] : node->inputs) stack.push_back(graph.find(from));
+    }
+    return false;
+}
+
+// Whether `source` is made of `target`. A node that feeds nothing, the usual target, is part of nothing but itself.
+bool reaches(const Graph& graph, NodeId source, NodeId target)
+{
+    if (source == target) return true;
+    return feeds_something(graph, target) &&
+           visit_upstream(graph, source, [target](const Node& node) { return node.id == target; });
+}
+
+// The dimension of a combiner as the first fixed field among what it is made of says; 0 when none is near.
+int upstream_dimension(const Graph& graph, const Library& library, NodeId start)
+{
+    std::vector<const Node*> stack = {graph.find(start)};
+    for (int budget = 64; !stack.empty() && budget > 0; --budget) {
+        const Node* node = stack.back();
+        stack.pop_back();
+        const NodeType* type = library.type(node->type);
+        if (!type || !type->is_field()) continue;
+        if (int dimension = dimension_of(type->output)) return dimension;
+        for (const auto& [socket, from] : node->inputs) {
+            const Socket* input = type->input(socket);
+            if (!input || input->kind != SocketKind::field_any) continue;
+            stack.push_back(graph.find(from));
+            const NodeType* source = library.type(stack.back()->type);
+            if (int dimension = source ? dimension_of(source->output) : 0) return dimension;
+        }
+    }
+    return 0;
+}
+
+Refusal setting_refusal(const char* group, const std::optional<SettingError>& error)
+{
+    if (!error) return std::nullopt;
+    return std::string(group) + " setting `" + error->name + "` " + error->what;
+}
+
+Refusal name_error(std::string_view name)
+{
+    if (name.size() > name_limit) return "a node's name has at most 256 bytes; shorten it";
+    if (!is_utf8(name)) return "a node's name must be UTF-8 text";
+    return std::nullopt;
+}
+
+// Parameters of a known type: all there, in order, in range.
+Refusal parameters_error(const Node& node, const NodeType& type)
+{
+    std::size_t count = 0;
+    for (const Parameter& parameter : type.parameters) {
+        if (parameter.kind == ParameterKind::material) continue;
+        if (count == node.parameters.size() || node.parameters[count].first != parameter.name)
+            return described(node) + " lacks its parameter `" + parameter.name + "`";
+        std::string error = value_error(parameter, node.parameters[count++].second);
+        if (!error.empty()) return "`" + parameter.name + "` of " + described(node) + " " + error;
+    }
+    if (count != node.parameters.size()) return described(node) + " has a parameter too many";
+    return std::nullopt;
+}
+
+Refusal node_error(const Document& document, const Library& library, const Node& node)
+{
+    if (node.id.number < 1 || node.id.number >= document.next_id)
+        return described(node) + " has an id outside 1 .. next_id - 1";
+    if (Refusal error = name_error(node.name)) return described(node) + ": " + *error;
+    if (!is_finite(node.position)) return described(node) + " has a position that is not finite";
+    auto not_before = [](const auto& a, const auto& b) { return a.first >= b.first; };
+    if (std::adjacent_find(node.inputs.begin(), node.inputs.end(), not_before) != node.inputs.end())
+        return described(node) + " has inputs that are not sorted by name";
+    const NodeType* type = library.type(node.type);
+    if (!type) return node.unknown_source.empty() ? Refusal(described(node) + " is of an unknown type") : std::nullopt;
+    if (!node.unknown_source.empty()) return described(node) + " is of a known type but kept as text";
+    return parameters_error(node, *type);
+}
+
+}  // namespace
+
+NodeId add_node(Document& document, const Library& library, std::string_view type_name, glm::vec2 position)
+{
+    const NodeType* type = library.type(type_name);
+    if (!type || document.root.nodes.size() >= node_limit || !is_finite(position)) return {};
+    Node node;
+    node.id = {document.next_id++};
+    node.type = type->name;
+    node.position = position;
+    for (const Parameter& parameter : type->parameters)
+        if (parameter.kind != ParameterKind::material) node.parameters.emplace_back(parameter.name, parameter.initial);
+    document.root.nodes.push_back(std::move(node));
+    return document.root.nodes.back().id;
+}
+
+Refusal remove_node(Document& document, NodeId id)
+{
+    const Node* removed = document.root.find(id);
+    if (!removed) return no_node(id);
+    document.root.nodes.erase(document.root.nodes.begin() + (removed - document.root.nodes.data()));
+    for (Node& node : document.root.nodes)
+        std::erase_if(node.inputs, [id](const auto& input) { return input.second == id; });
+    return std::nullopt;
+}
+
+Refusal connect(Document& document, const Library& library, NodeId source, NodeId target, std::string_view socket)
+{
+    Refusal refusal;
+    Node* node = editable(document, target, refusal);
+    if (!node) return refusal;
+    if ((refusal = wire_error(document, library, source, target, socket))) return refusal;
+    if (wire_count(document.root) >= wire_limit) return "a scene has at most " + std::to_string(wire_limit) + " wires";
+    if (reaches(document.root, source, target))
+        return "wiring " + described(*document.root.find(source)) + " to `" + std::string(socket) + "` of " +
+               described(*node) + " would make a cycle";
+    auto place = input_place(*node, socket);
+    if (place != node->inputs.end() && place->first == socket) place->second = source;
+    else node->inputs.emplace(place, std::string(socket), source);
+    return std::nullopt;
+}
+
+Refusal disconnect(Document& document, NodeId target, std::string_view socket)
+{
+    Refusal refusal;
+    Node* node = editable(document, target, refusal);
+    if (!node) return refusal;
+    auto place = input_place(*node, socket);
+    if (place == node->inputs.end() || place->first != socket)
+        return "nothing is wired to " + in_quotes(socket) + " of " + described(*node);
+    node->inputs.erase(place);
+    return std::nullopt;
+}
+
+Refusal set_parameter(Document& document, const Library& library, NodeId id, std::string_view name, Value value)
+{
+    Refusal refusal;
+    Node* node = editable(document, id, refusal);
+    if (!node) return refusal;
+    const NodeType* type = library.type(node->type);
+    if (!type) return described(*node) + " is of a type this version does not know";
+    const Parameter* parameter = type->parameter(name);
+    if (!parameter)
+        return described(*node) + " has no parameter " + in_quotes(name) + "; its parameters are " +
+               parameter_names(*type);
+    if (std::string error = value_error(*parameter, value); !error.empty())
+        return "`" + parameter->name + "` of " + described(*node) + " " + error;
+    for (auto& [key, current] : node->parameters)
+        if (key == name) current = std::move(value);
+    return std::nullopt;
+}
+
+Refusal rename_node(Document& document, NodeId id, std::string_view name)
+{
+    Refusal refusal;
+    Node* node = editable(document, id, refusal);
+    if (!node) return refusal;
+    if ((refusal = name_error(name))) return refusal;
+    node->name = name;
+    return std::nullopt;
+}
+
+Refusal move_node(Document& document, NodeId id, glm::vec2 position)
+{
+    Refusal refusal;
+    Node* node = editable(document, id, refusal);
+    if (!node) return refusal;
+    if (!is_finite(position)) return "the position of " + described(*node) + " must be finite";
+    node->position = position;
+    return std::nullopt;
+}
+
+Refusal set_muted(Document& document, NodeId id, bool muted)
+{
+    Refusal refusal;
+    Node* node = editable(document, id, refusal);
+    if (node) node->muted = muted;
+    return refusal;
+}
+
+Refusal set_march(Document& document, const MarchSettings& settings)
+{
+    if (Refusal refusal = setting_refusal("march", setting_error(settings))) return refusal;
+    document.march = settings;
+    return std::nullopt;
+}
+
+Refusal set_occlusion(Document& document, const OcclusionSettings& settings)
+{
+    if (Refusal refusal = setting_refusal("occlusion", setting_error(settings))) return refusal;
+    document.occlusion = settings;
+    return std::nullopt;
+}
+
+Refusal wire_error(const Document& document, const Library& library, NodeId source, NodeId target,
+                   std::string_view socket)
+{
+    const Node* from = document.root.find(source);
+    const Node* to = document.root.find(target);
+    if (!from) return no_node(source);
+    if (!to) return no_node(target);
+    const NodeType* source_type = library.type(from->type);
+    const NodeType* target_type = library.type(to->type);
+    if (Refusal refusal = kind_error({from, source_type}, {to, target_type}, socket)) return refusal;
+    if (!source_type || !target_type || !source_type->is_field()) return std::nullopt;
+    // The wire to be replaced must not speak for the dimension of its target.
+    if (to->input(socket)) {
+        WireRules rules(document.root, library);
+        rules.add_all(target, socket);
+        return rules.add(source, target, socket);
+    }
+    int taken = dimension_of(target_type->input(socket)->kind);
+    return dimension_error(*from, field_dimension(document, library, source), *to,
+                           taken ? taken : field_dimension(document, library, target), socket);
+}
+
+std::vector<NodeId> find_cycle(const Graph& graph)
+{
+    enum class Mark : char { fresh, open, done };
+    struct Step {
+        std::size_t node, input;
+    };
+    std::vector<Mark> marks(graph.nodes.size(), Mark::fresh);
+    std::vector<Step> path;  // from a node up to what it is made of
+    for (std::size_t start = 0; start < graph.nodes.size(); ++start) {
+        if (marks[start] == Mark::fresh) path.push_back({start, 0}), marks[start] = Mark::open;
+        while (!path.empty()) {
+            Step& step = path.back();
+            const Node& node = graph.nodes[step.node];
+            if (step.input == node.inputs.size()) {
+                marks[step.node] = Mark::done;
+                path.pop_back();
+                continue;
+            }
+            const Node* source = graph.find(node.inputs[step.input++].second);
+            if (!source) continue;
+            auto index = static_cast<std::size_t>(source - graph.nodes.data());
+            if (marks[index] == Mark::open) {
+                std::vector<NodeId> cycle;
+                for (auto it = path.rbegin(); cycle.empty() || cycle.back() != source->id; ++it)
+                    cycle.push_back(graph.nodes[it->node].id);
+                return cycle;
+            }
+            if (marks[index] == Mark::fresh) path.push_back({index, 0}), marks[index] = Mark::open;
+        }
+    }
+    return {};
+}
+
+Refusal validate(const Document& document, const Library& library)
+{
+    if (Refusal refusal = setting_refusal("march", setting_error(document.march))) return refusal;
+    if (Refusal refusal = setting_refusal("occlusion", setting_error(document.occlusion))) return refusal;
+    const std::vector<Node>& nodes = document.root.nodes;
+    auto unordered = [](const Node& a, const Node& b) { return a.id >= b.id; };
+    if (std::adjacent_find(nodes.begin(), nodes.end(), unordered) != nodes.end())
+        return "the nodes are not sorted by id, each once";
+    for (const Node& node : nodes)
+        if (Refusal refusal = node_error(document, library, node)) return refusal;
+    if (Refusal refusal = WireRules(document.root, library).add_all()) return refusal;
+    if (std::vector<NodeId> cycle = find_cycle(document.root); !cycle.empty())
+        return "the wires " + cycle_text(cycle) + " make a cycle; remove one of them";
+    return std::nullopt;
+}
+
+int field_dimension(const Document& document, const Library& library, NodeId id)
+{
+    const Node* node = document.root.find(id);
+    if (!node) return 0;
+    if (int dimension = upstream_dimension(document.root, library, id)) return dimension;
+    if (node->inputs.empty() && !feeds_something(document.root, id)) return 0;
+    WireRules rules(document.root, library);
+    rules.add_all();
+    return rules.dimension(id);
+}
+
+}  // namespace fieldwright::graph

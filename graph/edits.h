@@ -1,0 +1,36 @@
+// The only functions that change a document. Each returns the reason when it refuses, and then changes nothing.
+#pragma once
+
+#include "graph/document.h"
+#include "graph/library.h"
+
+#include <optional>
+
+namespace fieldwright::graph {
+
+// Empty = done; else one sentence saying why not.
+using Refusal = std::optional<std::string>;
+
+// Adds a node of `type` with its default parameters; NodeId{} when the type is unknown.
+NodeId add_node(Document& document, const Library& library, std::string_view type, glm::vec2 position = {0, 0});
+Refusal remove_node(Document& document, NodeId node);  // its wires go with it
+// Wires source's output to an input. Refuses cycles, wrong kinds, mixed 2D/3D and unknown sockets.
+Refusal connect(Document& document, const Library& library, NodeId source, NodeId target, std::string_view socket);
+Refusal disconnect(Document& document, NodeId target, std::string_view socket);
+Refusal set_parameter(Document& document, const Library& library, NodeId node, std::string_view name, Value value);
+Refusal rename_node(Document& document, NodeId node, std::string_view name);  // UTF-8, at most 256 bytes
+Refusal move_node(Document& document, NodeId node, glm::vec2 position);
+Refusal set_muted(Document& document, NodeId node, bool muted);
+Refusal set_march(Document& document, const MarchSettings& settings);
+Refusal set_occlusion(Document& document, const OcclusionSettings& settings);
+
+// Why a wire is not allowed in this document, or nothing. `connect` and the file reader share it (cycles excluded).
+Refusal wire_error(const Document& document, const Library& library, NodeId source, NodeId target, std::string_view socket);
+// Nodes of a cycle in order, or empty. O(nodes + wires).
+std::vector<NodeId> find_cycle(const Graph& graph);
+// Checks what every document promises: ids, types, ranges, wires, acyclic. First broken promise, or nothing.
+Refusal validate(const Document& document, const Library& library);
+// 2, 3 or 0 (undecided: combiners without inputs) for a field node.
+int field_dimension(const Document& document, const Library& library, NodeId node);
+
+}  // namespace fieldwright::graph

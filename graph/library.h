@@ -1,0 +1,112 @@
+// The node library: every node type, read from one .glsl file each, and the shading library they stand on.
+#pragma once
+
+#include "graph/dialect.h"
+#include "graph/value.h"
+
+#include <memory>
+#include <optional>
+#include <unordered_map>
+
+namespace fieldwright::graph {
+
+// What a socket carries. A field socket is 2D or 3D; `any` takes the dimension of what is wired to it.
+enum class SocketKind { field2d, field3d, field_any, number, vec2, vec3, colour, material, camera, sky, light, none };
+
+enum class ParameterKind { number, integer, boolean, choice, vec2, vec3, angle, angles, colour, material, list };
+
+// Declared once in a node file by a comment: `default [min, max] unit  help`.
+struct Parameter {
+    std::string name;
+    ParameterKind kind = ParameterKind::number;
+    Type type;
+    Value initial;                  // as in documents: angles in degrees, colours linear
+    double minimum = -1e6, maximum = 1e6;  // hard, per component, inclusive
+    double soft_minimum = -1e6, soft_maximum = 1e6;
+    std::string unit;  // "m", "deg", "1/m", "s", "" ...
+    std::string help;
+    std::vector<std::string> choices;  // kind choice: the words; the function receives the index as int
+    int value_index = -1;              // into Node::parameters; -1 for materials, which have no value
+};
+
+struct Socket {
+    std::string name;  // input: reserved argument name ("d", "a", "b", "camera", "sky") or parameter name
+    SocketKind kind = SocketKind::none;
+};
+
+enum class Quality { exact, bound, approximate };
+
+// How a field node's result scales with its inputs: `hard` commutes with division by a positive constant, so a
+// Lipschitz constant may be divided out below it; `hard associative` chains are also rebalanced.
+enum class Scaling { none, hard, hard_associative };
+
+struct NodeType {
+    std::string name;      // file stem: the word in scene files
+    std::string category;  // folder
+    std::string title;     // "Torus"
+    std::string help;      // "a ring around the y axis." made a sentence
+    std::vector<std::string> synonyms;
+    Quality quality_outside = Quality::exact, quality_inside = Quality::exact;
+    float approximate_step = 1;  // S of `approximate S`: the field is divided by 1/S
+    Scaling scaling = Scaling::none;
+    int copies = 1;  // of a block (`// copies: N`)
+    std::vector<Parameter> parameters;
+    std::vector<Socket> inputs;  // field inputs first, then one per wireable parameter
+    SocketKind output = SocketKind::none;
+    SourceFile source;
+    bool compiled = false;  // the text equals the one built into this program, so the CPU can run it
+
+    const Function* function(std::string_view suffix) const;  // "distance", "point", ...; null when absent
+    const Parameter* parameter(std::string_view name) const;
+    const Socket* input(std::string_view name) const;
+    bool is_field() const;
+};
+
+// Immutable after loading; shared by documents, lowering and printers.
+class Library {
+public:
+    // The files built into the program.
+    static std::shared_ptr<const Library> embedded();
+    // A folder laid out as shaders/: nodes/<category>/<name>.glsl and render/*.glsl. Throws DialectError or Failure.
+    static std::shared_ptr<const Library> load(const std::filesystem::path& folder);
+    // From texts: path relative to shaders/ -> content. `builtin` marks nodes whose text is equal as compiled.
+    static std::shared_ptr<const Library> from_texts(const std::map<std::string, std::string>& texts,
+                                                     const std::map<std::string, std::string>& builtin);
+
+    const NodeType* type(std::string_view name) const;        // null when unknown
+    const Function& support(std::string_view name) const;     // of shaders/render; throws std::out_of_range
+    const std::vector<const NodeType*>& types() const { return ordered_; }  // by category, then name
+    const std::vector<StructDeclaration>& structs() const { return structs_; }
+    const std::vector<SourceFile>& render_files() const { return render_; }  // dialect files, in dependency order
+    const std::string& text(std::string_view path) const;  // any file by path relative to shaders/
+    int lanes(const Type& type) const { return lane_count(type, structs_); }
+
+private:
+    std::vector<std::unique_ptr<NodeType>> types_;
+    std::vector<const NodeType*> ordered_;
+    struct NameHash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
+    };
+    template <typename T>
+    using ByName = std::unordered_map<std::string, T, NameHash, std::equal_to<>>;
+
+    ByName<const NodeType*> by_name_;
+    std::vector<SourceFile> render_;
+    ByName<const Function*> support_;
+    std::vector<StructDeclaration> structs_;
+    std::map<std::string, std::string> texts_;
+};
+
+// The texts built into the program: path relative to shaders/ -> content. Generated at build time.
+const std::map<std::string, std::string>& embedded_texts();
+
+std::string_view socket_kind_name(SocketKind kind);
+std::string_view parameter_kind_name(ParameterKind kind);
+// Parses a value as written in a node file or after `--set`: `1.5`, `true`, `word`, `(1, 2, 3)`, `1,2,3`, `#rrggbb`,
+// `[(0,0), (1,0)]`. Returns nullopt when the text is not of the parameter's kind.
+std::optional<Value> parse_value(const Parameter& parameter, std::string_view text);
+// Empty when `value` is of the parameter's kind, finite and in range; else what is wrong, as the end of a sentence.
+std::string value_error(const Parameter& parameter, const Value& value);
+
+}  // namespace fieldwright::graph

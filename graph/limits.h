@@ -1,0 +1,14 @@
+// How large a document may be; beyond it edits and files are refused.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace fieldwright::graph {
+
+inline constexpr std::size_t node_limit = 20'000;
+inline constexpr std::size_t wire_limit = 65'536;
+inline constexpr std::size_t name_limit = 256;                   // bytes
+inline constexpr std::int64_t id_limit = std::int64_t(1) << 53;  // ids lie below
+
+}  // namespace fieldwright::graph

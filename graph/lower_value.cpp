@@ -1,0 +1,327 @@
+// Lowering of numbers: calls, their arguments, parameters and wires, Lipschitz constants and bounds.
+#include "graph/lowering.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace fieldwright::graph {
+namespace {
+
+constexpr int value_part = 255, material_part = 254, any_context = 0xffffff;
+
+std::uint64_t part_key(int index, std::int32_t context, int part)
+{
+    return static_cast<std::uint64_t>(index) << 32 | static_cast<std::uint64_t>(context & 0xffffff) << 8 |
+           static_cast<std::uint64_t>(part);
+}
+
+}  // namespace
+
+ValueId Lowering::node_call(int index, std::string_view suffix, Context context, const Bindings& bindings)
+{
+    return call_function(index, *type(index).function(suffix), context, bindings);
+}
+
+ValueId Lowering::call_function(int index, const Function& function, Context context, const Bindings& bindings)
+{
+    std::array<ValueId, 32> arguments;
+    std::size_t count = 0;
+    for (const Argument& argument : function.arguments) {
+        if (count == arguments.size()) break;
+        arguments[count++] = this->argument(index, argument, context, bindings);
+    }
+    if (counting_) loop_iterations_ += copies_ * function.loop_iterations;
+    const NodeType& type = this->type(index);
+    gpu_only_ = gpu_only_ || !type.compiled;
+    return builder_.call(function, {arguments.data(), count}, node(index).id, type.compiled);
+}
+
+// A call of a type that no node of the document has: its parameters' defaults.
+ValueId Lowering::default_call(const NodeType& type, std::string_view suffix)
+{
+    const Function& function = *type.function(suffix);
+    std::vector<ValueId> arguments;
+    for (const Argument& argument : function.arguments) {
+        if (argument.role == Role::uv) arguments.push_back(uv_);
+        else if (argument.role == Role::time) arguments.push_back(builder_.program().time);
+        else if (argument.parameter >= 0) {
+            const Parameter& parameter = type.parameters[static_cast<std::size_t>(argument.parameter)];
+            arguments.push_back(constant_of(parameter, parameter.initial, {}));
+        } else arguments.push_back(origin_);
+    }
+    return builder_.call(function, arguments, {}, type.compiled);
+}
+
+ValueId Lowering::argument(int index, const Argument& argument, Context context, const Bindings& bindings)
+{
+    auto bound = [&](ValueId value) { return value != no_value ? value : builder_.constant(1e6f); };
+    switch (argument.role) {
+        case Role::parameter: return parameter(index, argument.parameter, context);
+        case Role::p: return point_argument(index, argument.type, context);
+        case Role::cell: return context < 0 ? origin_ : contexts_[static_cast<std::size_t>(context)].cell;
+        case Role::time: return builder_.program().time;
+        case Role::uv: return uv_;
+        case Role::direction: return direction_;
+        case Role::d: return bound(bindings.d);
+        case Role::a: return bound(bindings.a);
+        case Role::b: return bound(bindings.b);
+        case Role::acc: return bound(bindings.acc);
+        case Role::copy: return bindings.copy != no_value ? bindings.copy : no_id_;
+        case Role::child: return bindings.child;
+        case Role::box_a: return bindings.box_a;
+        case Role::box_b: return bindings.box_b;
+        case Role::c:
+        case Role::camera:
+        case Role::sky: break;
+    }
+    return bound(no_value);
+}
+
+// The point in the dimension a function asks for: a 2D field in space lies in the plane z = 0.
+ValueId Lowering::point_argument(int, const Type& type, Context context)
+{
+    if (context < 0) return origin_;
+    ValueId point = contexts_[static_cast<std::size_t>(context)].point;
+    if (builder_.type(point).base == type.base) return point;
+    ValueId& converted = plane_points_[static_cast<std::size_t>(context)];
+    if (converted == no_value) converted = builder_.call(type.base == BaseType::vec2 ? "plane_point" : "lift_point", {point});
+    return converted;
+}
+
+ValueId Lowering::parameter(int index, int parameter_index, Context context)
+{
+    const Parameter& parameter = type(index).parameters[static_cast<std::size_t>(parameter_index)];
+    NodeId wired = node(index).inputs.empty() ? NodeId{} : node(index).input(parameter.name);
+    if (parameter.kind == ParameterKind::material) {
+        int source = other_source(index, parameter.name, SocketKind::material);
+        return source < 0 ? default_material_ : material_of(source, context);
+    }
+    if (wired) {
+        std::uint64_t key = part_key(index, context, parameter_index);
+        if (auto known = value_memo_.find(key); known != value_memo_.end()) return known->second;
+        ValueId value = wired_parameter(index, parameter, context);
+        if (value != no_value) return value_memo_[key] = value;
+    }
+    return stored_parameter(index, parameter_index);
+}
+
+// The document's own value; one slot per parameter in the whole program.
+ValueId Lowering::stored_parameter(int index, int parameter_index)
+{
+    ValueId& known = stored_[static_cast<std::size_t>(stored_offset_[static_cast<std::size_t>(index)] + parameter_index)];
+    if (known != no_value) return known;
+    const Parameter& parameter = type(index).parameters[static_cast<std::size_t>(parameter_index)];
+    const Node& node = this->node(index);
+    const Value* value = nullptr;
+    auto at = static_cast<std::size_t>(parameter.value_index);
+    if (at < node.parameters.size() && node.parameters[at].first == parameter.name) value = &node.parameters[at].second;
+    else value = node.parameter(parameter.name);
+    bool usable = value && value_error(parameter, *value).empty();
+    return known = constant_of(parameter, usable ? *value : parameter.initial, node.id);
+}
+
+ValueId Lowering::constant_of(const Parameter& parameter, const Value& value, NodeId node)
+{
+    constexpr float radians_per_degree = std::numbers::pi_v<float> / 180.0f;
+    auto constant = [&](std::initializer_list<float> lanes) {
+        return builder_.constant(parameter.type, {lanes.begin(), lanes.size()}, node, parameter.name.c_str());
+    };
+    float scale = parameter.kind == ParameterKind::angle || parameter.kind == ParameterKind::angles ? radians_per_degree : 1.0f;
+    if (auto* number = std::get_if<float>(&value)) return constant({*number * scale});
+    if (auto* vector = std::get_if<glm::vec3>(&value)) return constant({vector->x * scale, vector->y * scale, vector->z * scale});
+    if (auto* vector = std::get_if<glm::vec2>(&value)) return constant({vector->x, vector->y});
+    if (auto* whole = std::get_if<int>(&value)) return constant({static_cast<float>(*whole)});
+    if (auto* flag = std::get_if<bool>(&value)) return constant({*flag ? 1.0f : 0.0f});
+    if (auto* points = std::get_if<PointList>(&value)) return builder_.list(*points, node, parameter.name.c_str());
+    const auto& word = std::get<std::string>(value);
+    auto choice = std::find(parameter.choices.begin(), parameter.choices.end(), word) - parameter.choices.begin();
+    return constant({static_cast<float>(choice)});
+}
+
+// The value at a parameter's socket, or no_value when what is wired gives none here.
+ValueId Lowering::wired_parameter(int index, const Parameter& parameter, Context context)
+{
+    int source = index_of(node(index).input(parameter.name));
+    if (source < 0 || !types_[static_cast<std::size_t>(source)] || node(source).muted || !type(source).function("value")) return no_value;
+    if (context < 0 && value_needs(source) != 0) return no_value;
+    ValueId value = value_of(source, context);
+    return value == no_value ? no_value : clamped(parameter, converted(value, parameter.type));
+}
+
+// A wire may leave a parameter's hard range; the field must not.
+ValueId Lowering::clamped(const Parameter& parameter, ValueId value)
+{
+    if (parameter.minimum <= -1e6 && parameter.maximum >= 1e6) return value;
+    float scale = parameter.kind == ParameterKind::angle || parameter.kind == ParameterKind::angles ? std::numbers::pi_v<float> / 180.0f : 1.0f;
+    ValueId low = builder_.constant(static_cast<float>(parameter.minimum) * scale);
+    ValueId high = builder_.constant(static_cast<float>(parameter.maximum) * scale);
+    switch (builder_.type(value).base) {
+        case BaseType::vec2: return builder_.call("clamp_vec2", {value, low, high});
+        case BaseType::vec3: return builder_.call("clamp_vec3", {value, low, high});
+        default: return builder_.call("clamp_number", {value, low, high});
+    }
+}
+
+ValueId Lowering::converted(ValueId value, const Type& wanted)
+{
+    if (builder_.type(value).base == wanted.base) return value;
+    if (builder_.type(value).base != BaseType::real) return no_value;
+    if (wanted.base == BaseType::vec2) return builder_.call("splat_vec2", {value});
+    if (wanted.base == BaseType::vec3) return builder_.call("splat_vec3", {value});
+    return no_value;
+}
+
+ValueId Lowering::value_of(int source, Context context)
+{
+    if (auto known = value_memo_.find(part_key(source, any_context, value_part)); known != value_memo_.end()) return known->second;
+    std::uint64_t key = part_key(source, context, value_part);
+    if (auto known = value_memo_.find(key); known != value_memo_.end()) return known->second;
+    if (depth_ >= depth_limit) return no_value;
+    ++depth_;
+    ValueId value = node_call(source, "value", context, {});
+    --depth_;
+    if (builder_.rate(value) != Rate::point) key = part_key(source, any_context, value_part);
+    return value_memo_[key] = value;
+}
+
+ValueId Lowering::material_of(int source, Context context)
+{
+    std::uint64_t key = part_key(source, context, material_part);
+    if (auto known = value_memo_.find(part_key(source, any_context, material_part)); known != value_memo_.end()) return known->second;
+    if (auto known = value_memo_.find(key); known != value_memo_.end()) return known->second;
+    ValueId value = node_call(source, "material", context, {});
+    if (builder_.rate(value) != Rate::point) key = part_key(source, any_context, material_part);
+    return value_memo_[key] = value;
+}
+
+// What a value node's result depends on, through its wires: needs_point, needs_cell, needs_gpu.
+int Lowering::value_needs(int source)
+{
+    if (auto known = needs_memo_.find(source); known != needs_memo_.end()) return known->second;
+    int& needs = needs_memo_[source];
+    needs = type(source).compiled ? 0 : needs_gpu;
+    if (const Function* function = type(source).function("value"))
+        for (const Argument& argument : function->arguments) {
+            if (argument.role == Role::p) needs |= needs_point;
+            if (argument.role == Role::cell) needs |= needs_cell;
+        }
+    int result = needs;
+    for (const auto& [socket, from] : node(source).inputs)
+        if (int index = index_of(from); index >= 0 && types_[static_cast<std::size_t>(index)]) result |= value_needs(index);
+    return needs_memo_[source] = result;
+}
+
+// A parameter that changes from point to point adds to the field's slope by an amount nobody states.
+bool Lowering::varies_with_point(int index)
+{
+    for (const auto& [socket, from] : node(index).inputs) {
+        int source = index_of(from);
+        if (source < 0 || !types_[static_cast<std::size_t>(source)] || !type(source).function("value")) continue;
+        if (value_needs(source) & needs_point) return true;
+    }
+    return false;
+}
+
+bool Lowering::may_exceed_one(int index)
+{
+    if (auto known = exceeds_memo_.find(index); known != exceeds_memo_.end()) return known->second;
+    const NodeType& type = this->type(index);
+    bool exceeds = type.function("lipschitz") || type.function("stretch") || type.approximate_step < 1 || varies_with_point(index);
+    exceeds_memo_[index] = exceeds;
+    if (!exceeds)
+        for (int source : field_inputs(index)) exceeds = exceeds || may_exceed_one(source);
+    return exceeds_memo_[index] = exceeds;
+}
+
+// The nodes whose fields a node reads; through a run of one associative combiner at once, so that depth stays small.
+std::vector<int> Lowering::field_inputs(int index)
+{
+    if (type(index).scaling == Scaling::hard_associative) return chain_leaves(index);
+    std::vector<int> sources;
+    for (const Socket& socket : type(index).inputs)
+        if (is_field_kind(socket.kind))
+            if (int source = field_source(index, socket.name); source >= 0) sources.push_back(source);
+    return sources;
+}
+
+ValueId Lowering::memo_lipschitz(int index)
+{
+    if (!may_exceed_one(index)) return no_value;
+    if (auto known = lipschitz_memo_.find(index); known != lipschitz_memo_.end()) return known->second;
+    if (depth_ >= depth_limit) return builder_.constant(1.0f);
+    ++depth_;
+    ValueId value = lipschitz(index);
+    --depth_;
+    return lipschitz_memo_[index] = value;
+}
+
+// Own constant times the largest of the inputs'.
+ValueId Lowering::lipschitz(int index)
+{
+    ValueId largest = no_value;
+    for (int source : field_inputs(index))
+        if (ValueId inner = memo_lipschitz(source); inner != no_value)
+            largest = largest == no_value ? inner : builder_.call("larger_lipschitz", {largest, inner});
+    ValueId own = own_lipschitz(index);
+    if (own == no_value) return largest == no_value ? builder_.constant(1.0f) : largest;
+    return largest == no_value ? own : builder_.call("multiply_lipschitz", {own, largest});
+}
+
+ValueId Lowering::own_lipschitz(int index)
+{
+    const NodeType& type = this->type(index);
+    ValueId own = no_value;
+    auto multiply = [&](ValueId factor) { own = own == no_value ? factor : builder_.call("multiply_lipschitz", {own, factor}); };
+    for (const char* suffix : {"lipschitz", "stretch"}) {
+        const Function* function = type.function(suffix);
+        if (!function) continue;
+        if (!type.compiled) {
+            note(node(index).id, "its Lipschitz constant is taken as 4 until the node is compiled into the program");
+            multiply(builder_.constant(4.0f));
+            continue;
+        }
+        Bindings bindings{.child = box_of_input(index, "d"), .box_a = box_of_input(index, "a"), .box_b = box_of_input(index, "b")};
+        multiply(call_function(index, *function, frame_context, bindings));
+    }
+    if (type.approximate_step < 1) multiply(builder_.constant(1.0f / type.approximate_step));
+    if (varies_with_point(index)) {
+        note(node(index).id, "a parameter varies over space; rays take half steps here to be safe");
+        multiply(builder_.constant(2.0f));
+    }
+    return own;
+}
+
+ValueId Lowering::box_of_input(int index, std::string_view socket)
+{
+    if (!type(index).input(socket)) return no_value;
+    int source = field_source(index, socket);
+    return source < 0 ? builder_.call("everywhere", {}) : box(source);
+}
+
+// Box around a field's surface, in the space of its own point.
+ValueId Lowering::box(int index)
+{
+    if (auto known = box_memo_.find(index); known != box_memo_.end()) return known->second;
+    bool computable = type(index).compiled && depth_ < depth_limit;
+    for (const auto& [socket, from] : node(index).inputs)
+        if (int source = index_of(from); source >= 0 && types_[static_cast<std::size_t>(source)] && type(source).function("value"))
+            computable = computable && value_needs(source) == 0;
+    if (!computable) return box_memo_[index] = builder_.call("everywhere", {});
+    ++depth_;
+    ValueId value = no_value;
+    const Function& bounds = *type(index).function("bounds");
+    if (type(index).scaling == Scaling::hard_associative) {
+        for (int leaf : chain_leaves(index)) {
+            ValueId next = box(leaf);
+            value = value == no_value ? next : call_function(index, bounds, frame_context, {.box_a = value, .box_b = next});
+        }
+        if (value == no_value) value = builder_.call("everywhere", {});
+    } else {
+        value = call_function(index, bounds, frame_context,
+                              {.child = box_of_input(index, "d"), .box_a = box_of_input(index, "a"), .box_b = box_of_input(index, "b")});
+    }
+    --depth_;
+    return box_memo_[index] = value;
+}
+
+}  // namespace fieldwright::graph

@@ -1,0 +1,100 @@
+// The program: what a document means, as flat lists of typed calls. Printers and evaluators read it; none of it is text.
+#pragma once
+
+#include "graph/document.h"
+#include "graph/library.h"
+
+#include <memory>
+#include <span>
+
+namespace fieldwright::graph {
+
+enum class Rate { constant, frame, point };  // constant < frame (depends on time only) < point (depends on p)
+
+using ValueId = std::int32_t;
+inline constexpr ValueId no_value = -1;
+
+struct ProgramValue {
+    const Type* type;         // owned by the library or static
+    Rate rate = Rate::constant;
+    std::int32_t slot = -1;   // constant and frame values: first float in the block; vec3 never straddles a vec4
+    std::int32_t lanes = 1;
+    NodeId node;              // for names in exports
+    const char* name = nullptr;  // parameter or input name, for exports; null for call results
+};
+
+// One call, or (body_end > 0) one block: the instructions after it up to body_end, run `copies` times with `copy`
+// counting up and every `carried` pair folded: initial value, then the body's last value of `next`.
+struct Instruction {
+    const Function* function = nullptr;
+    std::int32_t first_argument = 0, argument_count = 0;  // into Program::arguments
+    ValueId result = no_value;
+    NodeId node;
+    // Blocks only.
+    std::int32_t body_end = 0;  // index after the last instruction of the body
+    std::int32_t copies = 0;
+    ValueId copy = no_value;          // int value: 0 .. copies-1
+    std::int32_t first_carried = 0, carried_count = 0;  // into Program::carried
+    bool is_block() const { return copies > 0; }
+};
+
+struct Carried {
+    ValueId accumulator;  // readable in the body and after the block
+    ValueId initial;      // constant-rate value
+    ValueId next;         // computed in the body
+};
+
+// A contiguous run of instructions with inputs and results. Each entry is called once per shader.
+struct Entry {
+    std::int32_t first = 0, last = 0;  // [first, last) into Program::instructions
+    std::vector<ValueId> inputs;       // point-rate values set by the caller
+    std::vector<ValueId> results;
+};
+
+struct LightEntry {
+    Entry entry;  // p -> Light
+    NodeId node;
+    bool shadow = false;
+};
+
+struct Program {
+    std::shared_ptr<const Library> library;  // keeps types and functions alive
+    std::vector<ProgramValue> values;
+    std::vector<Instruction> instructions;
+    std::vector<ValueId> arguments;
+    std::vector<Carried> carried;
+
+    // Constants in place, frame slots zero; field::evaluate_frame fills the rest. Size is a multiple of 4.
+    std::vector<float> block;
+    std::vector<glm::vec4> list_data;  // all list parameters, one after the other
+
+    ValueId time = no_value;  // frame-rate input, seconds
+    Entry frame;     // constant- and frame-rate calls: results go to the block
+    Entry distance;  // p -> float
+    Entry surface;   // p -> Material, int material node id, int node id
+    Entry ray;       // uv -> Ray
+    Entry sky;       // direction -> vec3
+    std::vector<LightEntry> lights;  // shadowed first
+
+    MarchSettings march;
+    OcclusionSettings occlusion;
+    std::int64_t expanded_cost = 0;  // primitive evaluations per distance call, copies included, saturating
+    int loop_iterations = 0;         // per distance call
+    int step_budget = 60000;         // floor(60000 / (1 + loop_iterations)), all rays of a pixel together
+    ValueId bounds = no_value;       // Box of the root field, when asked for
+    ValueId lipschitz = no_value;    // largest constant divided out anywhere, when there is one
+    bool gpu_only = false;           // a node is not compiled into this program
+    std::vector<Problem> problems;
+};
+
+struct LowerOptions {
+    std::int64_t cost_limit = 2048;
+    bool bounds = false;
+    // When set, the distance entry is this node's field instead of the output's (2D fields at z = 0).
+    NodeId root;
+};
+
+// Pure; never throws for a valid document. Problems' nodes count as unconnected.
+Program lower(const Document& document, const std::shared_ptr<const Library>& library, const LowerOptions& options = {});
+
+}  // namespace fieldwright::graph

@@ -1,0 +1,164 @@
+// Values, slots and sequences of a program under construction.
+#include "graph/program_builder.h"
+
+#include <algorithm>
+
+namespace fieldwright::graph {
+
+const Type& ProgramBuilder::real_type()
+{
+    static const Type type{BaseType::real, "float"};
+    return type;
+}
+
+const Type& ProgramBuilder::integer_type()
+{
+    static const Type type{BaseType::integer, "int"};
+    return type;
+}
+
+const Type& ProgramBuilder::vec2_type()
+{
+    static const Type type{BaseType::vec2, "vec2"};
+    return type;
+}
+
+const Type& ProgramBuilder::vec3_type()
+{
+    static const Type type{BaseType::vec3, "vec3"};
+    return type;
+}
+
+ProgramBuilder::ProgramBuilder(std::shared_ptr<const Library> library)
+{
+    program_.library = std::move(library);
+    program_.time = add_value(real_type(), Rate::frame, {}, "time");
+    program_.values.back().slot = take_slot(1);
+}
+
+// A guess, and a generous one: memory that is never touched costs nothing, moving what has grown does.
+void ProgramBuilder::reserve(std::size_t nodes)
+{
+    program_.values.reserve(8 * nodes);
+    program_.instructions.reserve(6 * nodes);
+    program_.arguments.reserve(16 * nodes);
+    program_.block.reserve(8 * nodes);
+    sequence_.reserve(4 * nodes);
+    point_dependent_.reserve(8 * nodes);
+}
+
+ValueId ProgramBuilder::add_value(const Type& type, Rate rate, NodeId node, const char* name)
+{
+    ProgramValue value;
+    value.type = &type;
+    value.rate = rate;
+    value.lanes = library().lanes(type);
+    value.node = node;
+    value.name = name;
+    program_.values.push_back(value);
+    point_dependent_.push_back(false);
+    return static_cast<ValueId>(program_.values.size() - 1);
+}
+
+// Vectors never straddle a vec4; structures begin at one.
+std::int32_t ProgramBuilder::take_slot(int lanes)
+{
+    auto at = program_.block.size();
+    if (lanes > 1 && (lanes > 4 || at % 4 + static_cast<std::size_t>(lanes) > 4)) at = (at + 3) / 4 * 4;
+    program_.block.resize(at + static_cast<std::size_t>(lanes), 0.0f);
+    return static_cast<std::int32_t>(at);
+}
+
+ValueId ProgramBuilder::constant(const Type& type, std::span<const float> lanes, NodeId node, const char* name)
+{
+    ValueId value = add_value(type, Rate::constant, node, name);
+    ProgramValue& added = program_.values.back();
+    added.slot = take_slot(added.lanes);
+    std::copy(lanes.begin(), lanes.end(), program_.block.begin() + added.slot);
+    return value;
+}
+
+ValueId ProgramBuilder::constant_id(std::int64_t id)
+{
+    float lane = static_cast<float>(id);
+    return constant(integer_type(), {&lane, 1});
+}
+
+ValueId ProgramBuilder::list(const PointList& points, NodeId node, const char* name)
+{
+    static const Type type{BaseType::list, "List"};
+    float lanes[2] = {static_cast<float>(program_.list_data.size()), static_cast<float>(points.size())};
+    program_.list_data.insert(program_.list_data.end(), points.begin(), points.end());
+    return constant(type, lanes, node, name);
+}
+
+ValueId ProgramBuilder::input(const Type& type, const char* name) { return add_value(type, Rate::point, {}, name); }
+
+ValueId ProgramBuilder::call(const Function& function, std::span<const ValueId> arguments, NodeId node, bool compiled)
+{
+    Rate rate = compiled ? Rate::constant : Rate::point;
+    bool point_dependent = false;
+    for (ValueId argument : arguments) {
+        rate = std::max(rate, this->rate(argument));
+        point_dependent = point_dependent || depends_on_point(argument);
+    }
+    Instruction instruction;
+    instruction.function = &function;
+    instruction.first_argument = static_cast<std::int32_t>(program_.arguments.size());
+    instruction.argument_count = static_cast<std::int32_t>(arguments.size());
+    program_.arguments.insert(program_.arguments.end(), arguments.begin(), arguments.end());
+    instruction.node = node;
+    instruction.result = add_value(function.result, rate, node, nullptr);
+    point_dependent_.back() = point_dependent;
+    if (rate == Rate::point) {
+        sequence_.push_back(instruction);
+    } else {
+        program_.values.back().slot = take_slot(program_.values.back().lanes);
+        frame_.push_back(instruction);
+    }
+    return instruction.result;
+}
+
+ValueId ProgramBuilder::call(std::string_view support, std::initializer_list<ValueId> arguments, NodeId node)
+{
+    return call(library().support(support), std::span(arguments.begin(), arguments.size()), node);
+}
+
+std::size_t ProgramBuilder::begin_block(int copies, NodeId node)
+{
+    Instruction block;
+    block.node = node;
+    block.copies = copies;
+    block.copy = input(integer_type(), "copy");
+    sequence_.push_back(block);
+    return sequence_.size() - 1;
+}
+
+void ProgramBuilder::end_block(std::size_t block, std::span<const Carried> carried)
+{
+    sequence_[block].body_end = static_cast<std::int32_t>(sequence_.size());
+    sequence_[block].first_carried = static_cast<std::int32_t>(program_.carried.size());
+    sequence_[block].carried_count = static_cast<std::int32_t>(carried.size());
+    program_.carried.insert(program_.carried.end(), carried.begin(), carried.end());
+}
+
+Entry ProgramBuilder::finish_entry(std::vector<ValueId> inputs, std::vector<ValueId> results)
+{
+    auto offset = static_cast<std::int32_t>(program_.instructions.size());
+    for (Instruction& instruction : sequence_) {
+        if (instruction.is_block()) instruction.body_end += offset;
+        program_.instructions.push_back(instruction);
+    }
+    sequence_.clear();
+    return {offset, static_cast<std::int32_t>(program_.instructions.size()), std::move(inputs), std::move(results)};
+}
+
+Program ProgramBuilder::finish()
+{
+    sequence_ = std::move(frame_);
+    program_.frame = finish_entry({}, {});
+    program_.block.resize((program_.block.size() + 3) / 4 * 4, 0.0f);
+    return std::move(program_);
+}
+
+}  // namespace fieldwright::graph

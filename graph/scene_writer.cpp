@@ -1,0 +1,160 @@
+// A document as scene JSON: one value per line, so that a small edit is a small difference.
+#include "graph/json.h"
+#include "graph/scene_file.h"
+#include "graph/settings.h"
+
+#include <cmath>
+
+namespace fieldwright::graph {
+namespace {
+
+class SceneWriter {
+public:
+    std::string write(const Document& document)
+    {
+        out_.reserve(512 + document.root.nodes.size() * 512);
+        open("");
+        text("format", "fieldwright");
+        raw("version", std::to_string(document.version));
+        raw("next_id", std::to_string(document.next_id));
+        march(document.march);
+        open("occlusion");
+        numbers(document.occlusion, occlusion_numbers);
+        close();
+        open("graphs");
+        open("root");
+        open("nodes");
+        for (const Node& node : document.root.nodes) write_node(node);
+        close();
+        close();
+        close();
+        for (const auto& [key, json] : document.extras) raw(key, json);
+        close();
+        out_ += '\n';
+        return std::move(out_);
+    }
+
+private:
+    void march(const MarchSettings& settings)
+    {
+        open("march");
+        raw("step_limit", std::to_string(settings.step_limit));
+        numbers(settings, march_numbers);
+        text("out_of_steps", settings.out_of_steps_hits ? "hit" : "miss");
+        close();
+    }
+
+    template <typename Settings, typename Numbers>
+    void numbers(const Settings& settings, const Numbers& list)
+    {
+        for (const SettingNumber<Settings>& number : list) {
+            key(number.name);
+            append_json_number(out_, settings.*number.member);
+        }
+    }
+
+    void write_node(const Node& node)
+    {
+        std::string id = std::to_string(node.id.number);
+        if (!node.unknown_source.empty()) return raw(id, node.unknown_source);
+        open(id);
+        text("type", node.type);
+        text("name", node.name);
+        key("position");
+        vector(&node.position.x, 2, false);
+        raw("muted", node.muted ? "true" : "false");
+        open("parameters");
+        for (const auto& [name, value] : node.parameters) {
+            key(name);
+            std::visit([this](const auto& plain) { write_value(plain); }, value);
+        }
+        close();
+        open("inputs");
+        for (const auto& [socket, source] : node.inputs) raw(socket, std::to_string(source.number));
+        close();
+        close();
+    }
+
+    void write_value(bool value) { out_ += value ? "true" : "false"; }
+    void write_value(int value) { out_ += std::to_string(value); }
+    void write_value(float value) { append_json_number(out_, value); }
+    void write_value(const glm::vec2& value) { vector(&value.x, 2); }
+    void write_value(const glm::vec3& value) { vector(&value.x, 3); }
+    void write_value(const std::string& value) { append_json_string(out_, value); }
+
+    // Spare components at the end are left out while they are zero.
+    void write_value(const PointList& points)
+    {
+        auto is_zero = [](float number) { return number == 0 && !std::signbit(number); };
+        out_ += '[';
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (i) out_ += ", ";
+            int count = !is_zero(points[i].w) ? 4 : !is_zero(points[i].z) ? 3 : 2;
+            vector(&points[i].x, count);
+        }
+        out_ += ']';
+    }
+
+    void vector(const float* numbers, int count, bool point = true)
+    {
+        out_ += '[';
+        for (int i = 0; i < count; ++i) {
+            if (i) out_ += ", ";
+            append_json_number(out_, numbers[i], point);
+        }
+        out_ += ']';
+    }
+
+    void open(std::string_view name)
+    {
+        if (depth_ > 0) key(name);
+        out_ += '{';
+        ++depth_;
+        empty_ = true;
+    }
+
+    void close()
+    {
+        --depth_;
+        if (!empty_) new_line();
+        out_ += '}';
+        empty_ = false;
+    }
+
+    void key(std::string_view name)
+    {
+        if (!empty_) out_ += ',';
+        new_line();
+        append_json_string(out_, name);
+        out_ += ": ";
+        empty_ = false;
+    }
+
+    void text(std::string_view name, std::string_view value)
+    {
+        key(name);
+        append_json_string(out_, value);
+    }
+
+    void raw(std::string_view name, std::string_view json)
+    {
+        key(name);
+        out_ += json;
+    }
+
+    void new_line()
+    {
+        out_ += '\n';
+        out_.append(2 * depth_, ' ');
+    }
+
+    std::string out_;
+    std::size_t depth_ = 0;
+    bool empty_ = true;  // nothing yet in the innermost object
+};
+
+}  // namespace
+
+std::string write_scene(const Document& document, const Library&) { return SceneWriter().write(document); }
+
+}  // namespace fieldwright::graph

@@ -1,0 +1,67 @@
+// One tile of a CPU picture: its pixels' probes are marched 256 at a time, ray by ray.
+#pragma once
+
+#include "renderer/cpu_scene.h"
+
+#include <span>
+#include <vector>
+
+namespace fieldwright::renderer {
+
+// Top-down pixels of the frame.
+struct TileArea {
+    int x, y, width, height;
+};
+
+inline constexpr int tile_width = 64, tile_height = 32;  // px, at most
+
+// One thread's rows; draws one tile after the other. What a tile shows does not depend on the tiles before it.
+class TileRenderer {
+public:
+    explicit TileRenderer(const CpuScene& scene);
+
+    void draw(const TileArea& area, Frame& frame);
+
+private:
+    using Pixels = std::span<const int>;  // pixels of the tile, at most field::row_width
+
+    // An evaluator with this thread's rows.
+    struct Stage {
+        Stage(const field::Evaluator& evaluator, const std::vector<float>& block);
+        void operator()(Rows& result, const Rows& input, int count);
+
+        const field::Evaluator& evaluator;
+        const std::vector<float>& block;
+        field::Evaluator::Workspace workspace;
+    };
+
+    void start_eyes(const TileArea& area);
+    void march(Rows& probes, Pixels waiting);
+    int take_waiting(const Rows& probes, Pixels waiting, std::size_t& next, int active);
+    int step(int active);
+    int put_back_done(Rows& probes, int active);
+    void sort_pixels(Pixels pixels);
+    void cast_shadows(int light);
+    void shade_hits(Pixels pixels);
+    void shade_misses(Pixels pixels);
+    void store(const TileArea& area, Frame& frame) const;
+
+    const CpuScene& scene_;
+    Stage distance_, surface_, ray_, sky_;
+    std::vector<Stage> lights_;
+
+    // By pixel of the tile.
+    Rows eyes_, shadows_;  // probes
+    Rows remaining_;       // budget
+    Rows direction_, forward_share_;  // of the eye ray; depth = length * share
+    Rows position_, normal_, ids_;    // ids: node, material
+    Rows lit_;             // one lane per shadowed light
+    Rows colour_;
+    std::vector<int> hits_, misses_;
+
+    // By lane of the batch being marched.
+    Rows marching_, advanced_, point_, d_, done_;
+    std::vector<int> pixel_of_;
+};
+
+}  // namespace fieldwright::renderer

@@ -1,0 +1,32 @@
+// From buffers to a picture: views, stereo, sRGB, files.
+#pragma once
+
+#include "renderer/frame.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace fieldwright::renderer {
+
+enum class View { beauty, steps, normal, depth, id };
+enum class Stereo { off, naive, dubois };
+
+std::optional<View> view_from_name(std::string_view name);
+std::optional<Stereo> stereo_from_name(std::string_view name);
+const std::vector<std::string>& view_names();
+const std::vector<std::string>& stereo_names();
+
+// 8-bit sRGB, top-down, 3 bytes a pixel.
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<unsigned char> rgb;
+};
+
+Picture picture(const Frame& frame, View view, int step_limit);
+Picture anaglyph(const Frame& left, const Frame& right, View view, int step_limit, Stereo stereo);
+
+// PNG through OpenImageIO; temporary file + rename; same pixels, same bytes. Failure{5}.
+void write_png(const std::filesystem::path& path, const Picture& picture);
+Picture read_png(const std::filesystem::path& path);  // Failure{3}
+
+}  // namespace fieldwright::renderer

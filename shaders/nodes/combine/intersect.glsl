@@ -1,0 +1,18 @@
+// Intersect: Only what both shapes share.
+// field: bound; exact
+// synonyms: intersection, overlap, common, and
+// combiner: hard associative
+float intersect_distance(float a, float b)
+{
+    return max(a, b);
+}
+
+float intersect_blend(float a, float b)
+{
+    return b > a ? 1.0f : 0.0f;
+}
+
+Box intersect_bounds(Box box_a, Box box_b)
+{
+    return overlap_boxes(box_a, box_b);
+}

@@ -1,0 +1,24 @@
+// Smooth union: Both shapes together, melted into each other where they meet.
+// field: bound
+// synonyms: blend, melt, soft union, fillet, metaball, smin
+float smooth_union_distance(
+    float a,
+    float b,
+    float smoothness)  // 0.3 [0, 10] [0, 1] m  Size of the blend: it acts where the two distances differ by less.
+{
+    float size = max(smoothness, 1.0e-6f);
+    float overlap = max(size - abs(a - b), 0.0f) / size;
+    return min(a, b) - 0.25f * size * overlap * overlap;
+}
+
+float smooth_union_blend(float a, float b, float smoothness)
+{
+    float size = max(smoothness, 1.0e-6f);
+    float share = 0.5f * max(size - abs(a - b), 0.0f) / size;
+    return b < a ? 1.0f - share : share;
+}
+
+Box smooth_union_bounds(Box box_a, Box box_b, float smoothness)
+{
+    return grow_box(join_boxes(box_a, box_b), 0.25f * smoothness);
+}

@@ -1,0 +1,23 @@
+// Subtract: The first shape without the second.
+// field: bound; exact
+// synonyms: difference, cut, carve, minus, drill
+// combiner: hard
+float subtract_distance(float a, float b)
+{
+    return max(a, -b);
+}
+
+float subtract_blend(
+    float a,
+    float b,
+    int cut_face)  // a {a, b, nearer}  Whose material the cut shows: the first shape's, the second's, or that of the nearer surface.
+{
+    float beyond_cut = -b > a ? 1.0f : 0.0f;
+    float nearer_b = abs(b) < abs(a) ? 1.0f : 0.0f;
+    return cut_face == 0 ? 0.0f : (cut_face == 1 ? beyond_cut : nearer_b);
+}
+
+Box subtract_bounds(Box box_a)
+{
+    return box_a;
+}

@@ -1,0 +1,16 @@
+// Phong: A coloured surface with a highlight, and a glow of its own.
+// synonyms: colour, color, plastic, matte, shiny, glow, emission
+Material phong_material(
+    vec3 albedo,      // #c8503c  Colour in white light.
+    float specular,   // 0.15 [0, 1]  Strength of the highlight.
+    float shininess,  // 40.0 [1, 2000] [1, 200]  Sharpness of the highlight: larger makes it smaller.
+    vec3 glow,        // #ffffff  Colour of the surface's own light.
+    float emission)   // 0.0 [0, 1000] [0, 5]  Strength of the surface's own light.
+{
+    Material material;
+    material.albedo = albedo;
+    material.specular = vec3(specular);
+    material.shininess = shininess;
+    material.emission = glow * emission;
+    return material;
+}

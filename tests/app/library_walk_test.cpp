@@ -1,0 +1,120 @@
+// Every node type through the command line, and a file dropped into a node folder.
+#include "app/program.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace fieldwright::tests {
+namespace {
+
+using Json = nlohmann::json;
+
+class LibraryWalk : public InFolder {};
+
+Json node_types(const std::string& options = {})
+{
+    Outcome outcome = run_program(options + " nodes --json");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return Json::parse(outcome.output);
+}
+
+TEST_F(LibraryWalk, nodes_lists_at_least_40_types_of_12_categories)
+{
+    Json types = node_types();
+    EXPECT_GE(types.size(), 40u);
+    std::set<std::string> categories;
+    for (const Json& type : types) {
+        categories.insert(type.at("category").get<std::string>());
+        EXPECT_FALSE(type.at("help").get<std::string>().empty()) << type.at("name");
+        EXPECT_TRUE(type.contains("inputs") && type.contains("output") && type.contains("synonyms")) << type.at("name");
+        for (const Json& parameter : type.at("parameters")) {
+            EXPECT_FALSE(parameter.at("help").get<std::string>().empty()) << type.at("name") << parameter.at("name");
+            EXPECT_TRUE(parameter.contains("default") || parameter.at("kind") == "material") << type.at("name");
+        }
+    }
+    EXPECT_EQ(categories, (std::set<std::string>{"primitive", "shape2d", "convert", "combine", "domain", "modify", "value",
+                                                 "material", "light", "camera", "sky", "output"}));
+}
+
+TEST_F(LibraryWalk, every_type_makes_a_valid_small_scene_that_draws)
+{
+    for (const Json& type : node_types()) {
+        std::string name = type.at("name"), scene = path(name + ".scene.json"), picture = path(name + ".png");
+        Outcome made = run_program("new -o " + scene + " --node " + name);
+        ASSERT_EQ(made.code, 0) << name << ": " << made.errors;
+        EXPECT_NE(read_text(scene).find("\"type\": \"" + name + "\""), std::string::npos) << name;
+        Outcome checked = run_program("check --json " + scene);
+        EXPECT_EQ(checked.code, 0) << name << ": " << checked.output;
+        EXPECT_NE(checked.output.find("\"problems\": []"), std::string::npos) << name << checked.output;
+        Outcome drawn = run_program("render " + scene + " --size 64x36 --device cpu -o " + picture);
+        EXPECT_EQ(drawn.code, 0) << name << ": " << drawn.errors;
+        EXPECT_TRUE(std::filesystem::exists(picture)) << name;
+    }
+}
+
+TEST_F(LibraryWalk, every_number_can_be_set_to_both_ends_of_its_range)
+{
+    for (const Json& type : node_types())
+        for (const Json& parameter : type.at("parameters")) {
+            std::string kind = parameter.at("kind");
+            if (kind != "number" && kind != "integer" && kind != "angle") continue;
+            for (const char* end : {"minimum", "maximum"}) {
+                std::string setting = parameter.at("name").get<std::string>() + "=" + parameter.at(end).dump();
+                if (kind == "integer") setting = setting.substr(0, setting.find('.'));
+                Outcome made = run_program("new -o " + path("a.scene.json") + " --node " + type.at("name").get<std::string>() +
+                                           " --set " + setting);
+                EXPECT_EQ(made.code, 0) << setting << ": " << made.errors;
+            }
+        }
+}
+
+TEST_F(LibraryWalk, a_file_dropped_into_a_node_folder_is_a_new_node)
+{
+    std::filesystem::copy(source_folder() / "shaders", path("shaders"), std::filesystem::copy_options::recursive);
+    write_text(path("shaders/nodes/primitive/pebble.glsl"),
+               "// Pebble: a flattened ball.\n"
+               "// field: bound\n"
+               "float pebble_distance(\n"
+               "    vec3 p,\n"
+               "    float size)   // 1.0 [0.01, 10] m  Half of the width.\n"
+               "{\n"
+               "    return 0.5f * (length(vec3(p.x, 2.0f * p.y, p.z)) - size);\n"
+               "}\n"
+               "\n"
+               "Box pebble_bounds(float size)\n"
+               "{\n"
+               "    return make_box(vec3(0.0f), vec3(size, 0.5f * size, size));\n"
+               "}\n");
+    std::string shaders = "--shaders " + path("shaders"), scene = path("pebble.scene.json");
+    Json types = node_types(shaders);
+    auto pebble = std::find_if(types.begin(), types.end(), [](const Json& type) { return type.at("name") == "pebble"; });
+    ASSERT_NE(pebble, types.end());
+    EXPECT_EQ(pebble->at("category"), "primitive");
+    EXPECT_EQ(pebble->at("parameters").at(0).at("name"), "size");
+
+    Outcome made = run_program("new " + shaders + " -o " + scene + " --node pebble --set size=0.8");
+    ASSERT_EQ(made.code, 0) << made.errors;
+    for (const char* device : {"gpu", "auto"}) {
+        Outcome drawn = run_program("render " + scene + " " + shaders + " --size 64x36 --device " + device + " -o " + path("pebble.png"));
+        EXPECT_EQ(drawn.code, 0) << drawn.errors;
+    }
+    Outcome refused = run_program("render " + scene + " " + shaders + " --size 64x36 --device cpu -o " + path("cpu.png"));
+    EXPECT_EQ(refused.code, 1) << refused.errors;
+    EXPECT_NE(refused.errors.find("pebble"), std::string::npos) << refused.errors;
+
+    Outcome unknown = run_program("check " + scene);
+    EXPECT_EQ(unknown.code, 3);
+    EXPECT_NE(unknown.output.find("pebble"), std::string::npos) << unknown.output;
+}
+
+TEST_F(LibraryWalk, a_broken_node_file_is_named_with_its_line)
+{
+    std::filesystem::copy(source_folder() / "shaders", path("shaders"), std::filesystem::copy_options::recursive);
+    write_text(path("shaders/nodes/primitive/broken.glsl"), "// Broken: not a node.\n// field: exact\nfloat broken_distance(vec3 p, float r)\n{\n    return 1.0f;\n}\n");
+    Outcome outcome = run_program("--shaders " + path("shaders") + " nodes");
+    EXPECT_EQ(outcome.code, 6);
+    EXPECT_NE(outcome.errors.find("broken.glsl:3:"), std::string::npos) << outcome.errors;
+}
+
+}  // namespace
+}  // namespace fieldwright::tests

@@ -1,0 +1,264 @@
+// The generated shader against one of the same scene as written by hand: seconds until it is ready, seconds per frame.
+#include "bench/csg_scene.h"
+#include "bench/timing.h"
+#include "codegen/glsl.h"
+#include "codegen/scene_printer.h"
+#include "field/evaluator.h"
+#include "renderer/gl_handles.h"
+#include "renderer/headless_context.h"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace fieldwright::bench {
+namespace {
+
+constexpr int width = 512, height = 288;  // px
+constexpr int attachments = 3;
+constexpr int primitives = 100;
+
+std::string number(float value)
+{
+    std::string text;
+    codegen::append_float(text, value);
+    text.pop_back();  // the suffix: nobody writes it by hand
+    return text;
+}
+
+std::string vector(glm::vec3 v) { return "vec3(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")"; }
+
+std::string shape_text(const Placed& placed)
+{
+    std::string at = "p - " + vector(placed.centre) + ", ";
+    switch (placed.shape) {
+        case Shape::sphere: return "sdSphere(" + at + number(placed.half_size.x) + ")";
+        case Shape::rounded_box:
+            return "sdRoundBox(" + at + vector(placed.half_size) + ", " + number(placed.rounding) + ")";
+        case Shape::cylinder: break;
+    }
+    return "sdCappedCylinder(" + at + number(placed.half_size.x) + ", " + number(placed.half_size.y) + ")";
+}
+
+std::string combination_text(const Combination& combination, const std::string& a, const std::string& b)
+{
+    switch (combination.combiner) {
+        case Combiner::unite: return "min(" + a + ", " + b + ")";
+        case Combiner::smooth_unite:
+            return "opSmoothUnion(" + a + ", " + b + ", " + number(combination.smoothness) + ")";
+        case Combiner::subtract: break;
+    }
+    return "max(" + a + ", -" + b + ")";
+}
+
+// Appends the lines that compute an operand; the name of its distance.
+std::string write_operand(std::string& lines, const CsgScene& scene, int operand)
+{
+    auto shapes = static_cast<int>(scene.shapes.size());
+    std::string name = "d" + std::to_string(operand), value;
+    if (operand < shapes) {
+        value = shape_text(scene.shapes[static_cast<std::size_t>(operand)]);
+    } else {
+        const Combination& combination = scene.combinations[static_cast<std::size_t>(operand - shapes)];
+        std::string a = write_operand(lines, scene, combination.a);
+        value = combination_text(combination, a, write_operand(lines, scene, combination.b));
+    }
+    lines += "    float " + name + " = " + value + ";\n";
+    return name;
+}
+
+std::string map_text(const CsgScene& scene)
+{
+    std::string lines;
+    std::string root =
+        write_operand(lines, scene, static_cast<int>(scene.shapes.size() + scene.combinations.size()) - 1);
+    return "float map(vec3 p)\n{\n" + lines + "    return " + root + ";\n}\n";
+}
+
+template <typename T>
+T setting(const graph::Document& document, std::string_view type, std::string_view name)
+{
+    for (const graph::Node& node : document.root.nodes)
+        if (node.type == type) return std::get<T>(*node.parameter(name));
+    throw graph::Failure(1, "the benchmark's scene has no " + std::string(type));
+}
+
+std::string surroundings_text(const graph::Document& document)
+{
+    auto colour = [&](const char* type, const char* name) { return setting<glm::vec3>(document, type, name); };
+    auto angle_rad = [&](const char* type, const char* name) {
+        return glm::radians(setting<float>(document, type, name));
+    };
+    auto constant = [](const char* name, glm::vec3 v) {
+        return std::string("const vec3 ") + name + " = " + vector(v) + ";\n";
+    };
+    float elevation = angle_rad("sun", "elevation"), azimuth = angle_rad("sun", "azimuth");
+    glm::vec3 sun(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                  std::cos(elevation) * std::cos(azimuth));
+    float strength = setting<float>(document, "gradient", "strength");
+    return constant("EYE", colour("perspective", "position")) + constant("TARGET", colour("perspective", "target")) +
+           "const float SLOPE = " + number(std::tan(0.5f * angle_rad("perspective", "field_of_view"))) + ";\n" +
+           constant("SUN", sun) +
+           constant("SUN_COLOUR", colour("sun", "colour") * setting<float>(document, "sun", "intensity")) +
+           constant("ZENITH", strength * colour("gradient", "zenith")) +
+           constant("HORIZON", strength * colour("gradient", "horizon")) +
+           constant("GROUND", strength * colour("gradient", "ground"));
+}
+
+std::string hand_written_shader(const CsgScene& scene, const graph::Document& document)
+{
+    std::ifstream file(FIELDWRIGHT_SOURCE_DIR "/tests/bench/shadertoy_style.glsl");
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    std::string_view mark = "// SCENE\n";
+    std::size_t place = text.find(mark);
+    if (place == std::string::npos)
+        throw graph::Failure(1, "tests/bench/shadertoy_style.glsl is missing or has no SCENE line");
+    return text.replace(place, mark.size(), surroundings_text(document) + "\n" + map_text(scene));
+}
+
+// Both shaders are drawn in the same way, whole, into the same target.
+class Canvas {
+public:
+    Canvas() : target_(width, height, attachments)
+    {
+        glBindVertexArray(vertices_.name());
+        glEnable(GL_SCISSOR_TEST);
+        target_.bind();
+    }
+
+    // What a shader does not declare, it does not need.
+    void set_uniforms(const renderer::Shader& shader, const graph::Program& program) const
+    {
+        shader.use();
+        glUniform2f(shader.uniform("resolution"), width, height);
+        shader.set("march.step_limit", program.march.step_limit);
+        shader.set("march.minimum_step", program.march.minimum_step);
+        shader.set("march.tolerance", program.march.tolerance);
+        shader.set("march.near_limit", program.march.near);
+        shader.set("march.far_limit", program.march.far);
+        shader.set("march.out_of_steps_hits", program.march.out_of_steps_hits ? 1 : 0);
+        shader.set("march.occlusion_strength", program.occlusion.strength);
+        shader.set("march.occlusion_radius", program.occlusion.radius);
+        shader.set("step_budget", program.step_budget);
+        shader.set("ray_count", 2);
+        shader.set("convergence", 5.0f);
+    }
+
+    void draw(int columns, int rows) const
+    {
+        glScissor(0, 0, columns, rows);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glFinish();
+    }
+
+    // From text to the first pixel: software GL compiles at the first draw.
+    double ready_seconds(const std::string& text, const graph::Program& program) const
+    {
+        return seconds_of([&] {
+            renderer::Shader shader(text);
+            set_uniforms(shader, program);
+            draw(1, 1);
+        });
+    }
+
+    double frame_seconds(const renderer::Shader& shader) const
+    {
+        shader.use();
+        return seconds_of([&] { draw(width, height); });
+    }
+
+    std::vector<glm::vec4> colours(const renderer::Shader& shader) const
+    {
+        shader.use();
+        draw(width, height);
+        std::vector<glm::vec4> result(static_cast<std::size_t>(width) * height);
+        target_.read(0, &result[0].x);
+        return result;
+    }
+
+private:
+    renderer::HeadlessContext context_;
+    renderer::VertexArray vertices_;
+    renderer::FloatTarget target_;
+};
+
+float srgb_byte(float linear)
+{
+    float c = std::clamp(linear, 0.0f, 1.0f);
+    return 255.0f * (c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f);
+}
+
+// Share of pixels that are at most 2/255 apart, as shown on a screen.
+double equal_share(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b)
+{
+    std::size_t equal = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        float apart = 0;
+        for (int channel = 0; channel < 3; ++channel)
+            apart = std::max(apart, std::abs(srgb_byte(a[i][channel]) - srgb_byte(b[i][channel])));
+        equal += apart <= 2.0f;
+    }
+    return static_cast<double>(equal) / static_cast<double>(a.size());
+}
+
+// Neither is one colour: a black picture equals every other black one.
+bool shows_something(const std::vector<glm::vec4>& colours)
+{
+    return std::count(colours.begin(), colours.end(), colours[0]) < static_cast<std::ptrdiff_t>(colours.size() / 2);
+}
+
+void print_ratio(const char* what, const std::pair<Times, Times>& times, double limit)
+{
+    double ratio = times.first.minimum / times.second.minimum;
+    std::printf(
+        "%-8s generated %8.1f ms (median %8.1f), hand-written %8.1f ms (median %8.1f): %.2fx, median %.2fx (<= %.1fx): "
+        "%s\n",
+        what, 1e3 * times.first.minimum, 1e3 * times.first.median, 1e3 * times.second.minimum,
+        1e3 * times.second.median, ratio, times.first.median / times.second.median, limit, verdict(ratio <= limit));
+}
+
+int run()
+{
+    std::shared_ptr<const graph::Library> library = graph::Library::embedded();
+    CsgScene scene = csg_scene(primitives);
+    graph::Document document = csg_document(scene, library);
+    graph::Program program = graph::lower(document, library);
+    demand(program.problems.empty(), "the scene lowers without problems");
+    std::vector<float> block = field::evaluate_frame(program, 0);
+    std::string generated_text = codegen::print_fragment_shader(program, block, codegen::Placement::literals);
+    std::string hand_text = hand_written_shader(scene, document);
+
+    Canvas canvas;
+    renderer::Shader generated(generated_text), hand(hand_text);
+    canvas.set_uniforms(generated, program);
+    canvas.set_uniforms(hand, program);
+    std::vector<glm::vec4> generated_colours = canvas.colours(generated), hand_colours = canvas.colours(hand);
+    double share = equal_share(generated_colours, hand_colours);
+    std::printf("csg(%d), %dx%d, %s: %.3f %% of pixels are equal within 2/255\n", primitives, width, height,
+                reinterpret_cast<const char*>(glGetString(GL_RENDERER)), 100 * share);
+    demand(shows_something(generated_colours) && share >= 0.999,
+           "pictures of the generated and the hand-written shader");
+
+    print_ratio("ready",
+                interleaved([&] { return canvas.ready_seconds(generated_text, program); },
+                            [&] { return canvas.ready_seconds(hand_text, program); }),
+                0.6);
+    print_ratio(
+        "frame",
+        interleaved([&] { return canvas.frame_seconds(generated); }, [&] { return canvas.frame_seconds(hand); }), 1.1);
+    return 0;
+}
+
+}  // namespace
+}  // namespace fieldwright::bench
+
+int main()
+{
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // what is cached is not compiled
+    try {
+        return fieldwright::bench::run();
+    } catch (const fieldwright::graph::Failure& failure) {
+        std::fprintf(stderr, "%s\n", failure.what());
+        return failure.exit_code;
+    }
+}

@@ -1,0 +1,55 @@
+// Timing of two rivals in turn, A B A B ..., so that what slows the machine slows both.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace fieldwright::bench {
+
+inline constexpr int repetitions = 9;
+
+struct Times {
+    double minimum = 0, median = 0;  // s
+};
+
+template <typename Work>
+double seconds_of(const Work& work)
+{
+    auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+inline Times summary(std::vector<double> seconds)
+{
+    std::sort(seconds.begin(), seconds.end());
+    return {seconds.front(), seconds[seconds.size() / 2]};
+}
+
+// Each argument does its work once and returns the seconds it took.
+template <typename A, typename B>
+std::pair<Times, Times> interleaved(const A& a, const B& b, int count = repetitions)
+{
+    std::vector<double> a_seconds, b_seconds;
+    for (int i = 0; i < count; ++i) {
+        a_seconds.push_back(a());
+        b_seconds.push_back(b());
+    }
+    return {summary(a_seconds), summary(b_seconds)};
+}
+
+// Ends the benchmark when what it compares is not equal.
+inline void demand(bool equal, const char* sentence)
+{
+    if (equal) return;
+    std::fprintf(stderr, "not equal: %s\n", sentence);
+    std::exit(1);
+}
+
+inline const char* verdict(bool reached) { return reached ? "reached" : "MISSED"; }
+
+}  // namespace fieldwright::bench

@@ -1,0 +1,130 @@
+// The parser of node files: what it reads, and what it refuses with file, line and rule.
+#include "graph/library.h"
+#include "graph/node_declaration.h"
+
+#include <gtest/gtest.h>
+
+namespace fieldwright::graph {
+namespace {
+
+const char* const torus = R"(// Torus: a ring around the y axis.
+// field: exact; bound
+// synonyms: donut, ring
+float torus_distance(
+    vec3 p,
+    float major,   // 1.0 [0.01, 10] m  Distance from the centre to the middle of the tube.
+    float minor)   // 0.25 [0.01, 5] [0.1, 1] m  Radius of the tube.
+{
+    vec2 q = vec2(length(vec2(p.x, p.z)) - major, p.y);
+    return length(q) - minor;
+}
+
+Box torus_bounds(float major, float minor) { return make_box(vec3(0.0f), vec3(major + minor, minor, major + minor)); }
+)";
+
+NodeType declare(const std::string& text, const std::string& path = "nodes/primitive/torus.glsl")
+{
+    return declare_node(parse_source(path, text, {"Box", "Material", "Light", "Ray", "Camera", "Sky"}));
+}
+
+std::string refusal(const std::string& text, const std::string& path = "nodes/primitive/bad.glsl")
+{
+    try {
+        declare(text, path);
+    } catch (const DialectError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+// A node `bad` with one line in its body.
+std::string with_body(const std::string& line)
+{
+    return refusal("// Bad: a test.\n// field: exact\nfloat bad_distance(vec3 p)\n{\n    " + line + "\n    return p.x;\n}\n"
+                   "Box bad_bounds() { return everywhere(); }\n");
+}
+
+TEST(Dialect, ASignatureIsTheDeclarationOfItsNode)
+{
+    NodeType type = declare(torus);
+    EXPECT_EQ(type.name, "torus");
+    EXPECT_EQ(type.category, "primitive");
+    EXPECT_EQ(type.title, "Torus");
+    EXPECT_EQ(type.help, "A ring around the y axis.");
+    EXPECT_EQ(type.synonyms, (std::vector<std::string>{"donut", "ring"}));
+    EXPECT_EQ(type.quality_outside, Quality::exact);
+    EXPECT_EQ(type.quality_inside, Quality::bound);
+    EXPECT_EQ(type.output, SocketKind::field3d);
+    ASSERT_EQ(type.parameters.size(), 2u);
+    EXPECT_EQ(type.parameters[1].name, "minor");
+    EXPECT_EQ(std::get<float>(type.parameters[1].initial), 0.25f);
+    EXPECT_EQ(type.parameters[1].maximum, 5);
+    EXPECT_EQ(type.parameters[1].soft_maximum, 1);
+    EXPECT_EQ(type.parameters[1].unit, "m");
+    EXPECT_EQ(type.parameters[1].help, "Radius of the tube.");
+    EXPECT_EQ(type.inputs.size(), 2u);
+}
+
+TEST(Dialect, LoopIterationsMultiplyThroughNestingAndCalls)
+{
+    SourceFile file = parse_source("nodes/primitive/x.glsl",
+                                   "// X: a test.\nfloat x_inner(float v)\n{\n    for (int i = 0; i < 4; i++) { v += 1.0f; }\n"
+                                   "    return v;\n}\nfloat x_outer(float v)\n{\n    for (int i = 0; i < 3; i++) { v = x_inner(v); }\n"
+                                   "    return v;\n}\n");
+    EXPECT_EQ(file.functions[0].loop_iterations, 4);
+    EXPECT_EQ(file.functions[1].loop_iterations, 3 + 3 * 4);
+}
+
+TEST(Dialect, RefusalsNameFileLineAndRule)
+{
+    EXPECT_NE(with_body("float x = 1.0;").find("nodes/primitive/bad.glsl:5: the number 1.0 needs the suffix f"), std::string::npos);
+    EXPECT_NE(with_body("vec2 q = p.xz;").find(":5: the swizzle .xz"), std::string::npos);
+    EXPECT_NE(with_body("while (true) { }").find("`while`"), std::string::npos);
+    EXPECT_NE(with_body("float x = round(p.x);").find("floor(x + 0.5f)"), std::string::npos);
+    EXPECT_NE(with_body("float x = bad_distance(p);").find("recursion"), std::string::npos);
+    EXPECT_NE(with_body("for (int i = 0; i < n; i++) { }").find("whole numbers"), std::string::npos);
+    EXPECT_NE(with_body("#define X").find("preprocessor"), std::string::npos);
+    EXPECT_NE(with_body("/* x */").find("//"), std::string::npos);
+}
+
+TEST(Dialect, ANodeMustSayWhatItsParametersAre)
+{
+    std::string text = torus;
+    text.replace(text.find("// 1.0"), 3, "");
+    EXPECT_NE(refusal(text, "nodes/primitive/torus.glsl"), "accepted");
+    EXPECT_NE(refusal("// Torus\n").find("Title"), std::string::npos);
+    EXPECT_NE(refusal("// Torus: x.\nfloat torus_distance(vec3 p)\n{\n return p.x;\n}\n", "nodes/primitive/torus.glsl").find("field:"), std::string::npos);
+}
+
+TEST(Dialect, ADefaultOutsideItsRangeIsRefused)
+{
+    std::string text = torus;
+    text.replace(text.find("1.0 [0.01"), 3, "11.");
+    EXPECT_NE(refusal(text, "nodes/primitive/torus.glsl").find("must lie between 0.01 and 10 m"), std::string::npos);
+}
+
+TEST(Dialect, ValuesAreReadAsArtistsWriteThem)
+{
+    Parameter number{.name = "x", .kind = ParameterKind::number};
+    EXPECT_EQ(std::get<float>(*parse_value(number, "1.5")), 1.5f);
+    EXPECT_FALSE(parse_value(number, "1.5x"));
+    EXPECT_FALSE(parse_value(number, "nan"));
+    EXPECT_FALSE(parse_value(number, "1e999"));
+    Parameter vector{.name = "v", .kind = ParameterKind::vec3};
+    EXPECT_EQ(std::get<glm::vec3>(*parse_value(vector, "1, 2,3")), glm::vec3(1, 2, 3));
+    Parameter colour{.name = "c", .kind = ParameterKind::colour};
+    EXPECT_EQ(std::get<glm::vec3>(*parse_value(colour, "#ffffff")), glm::vec3(1));
+    EXPECT_NEAR(std::get<glm::vec3>(*parse_value(colour, "#808080")).x, 0.21586f, 1e-4f);
+    Parameter list{.name = "l", .kind = ParameterKind::list};
+    EXPECT_EQ(std::get<PointList>(*parse_value(list, "[(0, 1), (2, 3)]")).size(), 2u);
+}
+
+TEST(Dialect, TwoFilesOfOneNameAreRefused)
+{
+    std::map<std::string, std::string> texts = embedded_texts();
+    texts["nodes/other/sphere.glsl"] = texts.at("nodes/primitive/sphere.glsl");
+    EXPECT_THROW(Library::from_texts(texts, embedded_texts()), DialectError);
+}
+
+}  // namespace
+}  // namespace fieldwright::graph

@@ -1,0 +1,168 @@
+// Small pictures as they should be: a table of title -> scene, and every example. FIELDWRIGHT_WRITE_GOLDENS=1 draws them
+// anew; look at what changed before you keep it.
+#include "graph/scene_file.h"
+#include "tests/support/pictures.h"
+
+#include <filesystem>
+#include <functional>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace fieldwright::tests {
+namespace {
+
+using glm::vec2;
+using glm::vec3;
+using renderer::View;
+
+NodeId wired(Scene& s, std::string_view type, NodeId d, std::initializer_list<Scene::Setting> settings = {})
+{
+    NodeId id = s.node(type, settings);
+    s.wire(d, id, "d");
+    return id;
+}
+
+NodeId both(Scene& s, std::string_view type, NodeId a, NodeId b, std::initializer_list<Scene::Setting> settings = {})
+{
+    NodeId id = s.node(type, settings);
+    s.wire(a, id, "a");
+    s.wire(b, id, "b");
+    return id;
+}
+
+NodeId painted(Scene& s, NodeId field, vec3 colour)
+{
+    return s.node("paint", {{"d", field}, {"material", s.node("phong", {{"albedo", colour}})}});
+}
+
+NodeId red_ball(Scene& s)
+{
+    NodeId ball = wired(s, "translate", s.node("sphere", {{"radius", 0.8f}}), {{"offset", vec3(-0.5f, 0.3f, 0.3f)}});
+    return painted(s, ball, {0.8f, 0.1f, 0.05f});
+}
+
+NodeId blue_box(Scene& s)
+{
+    NodeId box = wired(s, "translate", s.node("box", {{"half_size", vec3(0.6f, 0.5f, 0.6f)}}), {{"offset", vec3(0.3f, -0.2f, 0)}});
+    return painted(s, box, {0.05f, 0.2f, 0.8f});
+}
+
+using Make = std::function<NodeId(Scene&)>;
+
+Make alone(const char* type)
+{
+    return [type](Scene& s) { return s.node(type); };
+}
+
+Make combined(const char* type)
+{
+    return [type](Scene& s) { return both(s, type, red_ball(s), blue_box(s)); };
+}
+
+Make applied(const char* type)
+{
+    return [type](Scene& s) { return wired(s, type, s.node("box", {{"half_size", vec3(0.4f, 0.8f, 0.25f)}})); };
+}
+
+Make extruded(const char* type)
+{
+    return [type](Scene& s) { return wired(s, "extrude", s.node(type)); };
+}
+
+Make applied_flat(const char* type)
+{
+    return [type](Scene& s) { return wired(s, "extrude", wired(s, type, s.node("rectangle"))); };
+}
+
+const std::map<std::string, Make>& scenes()
+{
+    static const std::map<std::string, Make> table = [] {
+        std::map<std::string, Make> made;
+        auto library = graph::Library::embedded();
+        for (const graph::NodeType* type : library->types()) {
+            const char* name = type->name.c_str();
+            if (type->category == "primitive") made[type->name] = alone(name);
+            else if (type->category == "shape2d") made[type->name] = extruded(name);
+            else if (type->category == "combine") made[type->name] = combined(name);
+            else if (type->category == "domain" && type->output == graph::SocketKind::field2d) made[type->name] = applied_flat(name);
+            else if (type->category == "domain" || type->category == "modify") made[type->name] = applied(name);
+        }
+        made["revolve"] = [](Scene& s) { return wired(s, "revolve", s.node("rectangle")); };
+        made["slice"] = [](Scene& s) { return wired(s, "extrude", wired(s, "slice", s.node("torus"))); };
+        made["nothing"] = [](Scene& s) { return s.node("union"); };
+        return made;
+    }();
+    return table;
+}
+
+std::filesystem::path golden(const std::string& title) { return std::filesystem::path(FIELDWRIGHT_SOURCE_DIR) / "tests/goldens" / (title + ".png"); }
+
+void compare(const std::string& title, const renderer::Picture& drawn)
+{
+    if (std::getenv("FIELDWRIGHT_WRITE_GOLDENS")) return renderer::write_png(golden(title), drawn);
+    ASSERT_TRUE(std::filesystem::exists(golden(title))) << title << ": draw it with FIELDWRIGHT_WRITE_GOLDENS=1 and look at it";
+    EXPECT_LE(share_apart(drawn, renderer::read_png(golden(title))), 0.001) << title;
+}
+
+Scene composed(const Make& make)
+{
+    Scene s;
+    NodeId output = s.show(make(s));
+    s.wire(s.node("perspective", {{"position", vec3(2.6f, 2.0f, 4.0f)}, {"target", vec3(0)}}), output, "camera");
+    s.wire(s.node("gradient"), output, "sky");
+    s.node("sun");
+    return s;
+}
+
+TEST(Goldens, of_every_field_type)
+{
+    for (const auto& [title, make] : scenes()) compare(title, picture_of(composed(make)));
+}
+
+TEST(Goldens, of_every_view)
+{
+    Scene scene = composed(combined("smooth_union"));
+    for (const std::string& view : renderer::view_names()) compare("view_" + view, picture_of(scene, *renderer::view_from_name(view)));
+}
+
+TEST(Goldens, of_every_light_and_camera)
+{
+    auto library = graph::Library::embedded();
+    for (const graph::NodeType* type : library->types()) {
+        if (type->category != "light" && type->category != "camera") continue;
+        Scene scene;
+        NodeId output = scene.show(combined("union")(scene));
+        NodeId made = scene.node(type->name);
+        if (type->category == "camera") scene.wire(made, output, "camera");
+        if (type->category == "camera") scene.node("sun");
+        compare(type->category + "_" + type->name, picture_of(scene));
+    }
+}
+
+TEST(Goldens, of_every_example)
+{
+    auto library = graph::Library::embedded();
+    for (const auto& entry : std::filesystem::directory_iterator(FIELDWRIGHT_SOURCE_DIR "/examples")) {
+        std::string file = entry.path().filename().string();
+        if (!file.ends_with(".scene.json")) continue;
+        Scene scene;
+        scene.document = graph::open_scene(entry.path(), *library);
+        compare("example_" + file.substr(0, file.find('.')), picture_of(scene));
+    }
+}
+
+TEST(Goldens, are_all_drawn_by_some_test)
+{
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(FIELDWRIGHT_SOURCE_DIR "/tests/goldens"))
+        files += entry.path().extension() == ".png" ? 1 : 0;
+    std::size_t expected = scenes().size() + renderer::view_names().size();
+    for (const graph::NodeType* type : graph::Library::embedded()->types())
+        expected += type->category == "light" || type->category == "camera" ? 1 : 0;
+    for (const auto& entry : std::filesystem::directory_iterator(FIELDWRIGHT_SOURCE_DIR "/examples"))
+        expected += entry.path().string().ends_with(".scene.json") ? 1 : 0;
+    EXPECT_EQ(files, expected) << "a picture without a scene, or a scene without a picture";
+}
+
+}  // namespace
+}  // namespace fieldwright::tests

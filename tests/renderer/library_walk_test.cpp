@@ -1,0 +1,209 @@
+// Walks over every node type of the library and holds it to what its file says.
+#include "codegen/glsl.h"
+#include "tests/support/fields.h"
+#include "tests/support/glslang.h"
+#include "tests/support/starter.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace fieldwright::tests {
+namespace {
+
+using graph::NodeType;
+using graph::Parameter;
+using graph::ParameterKind;
+
+std::shared_ptr<const graph::Library> library() { return graph::Library::embedded(); }
+
+std::vector<const NodeType*> field_types()
+{
+    std::vector<const NodeType*> types;
+    for (const NodeType* type : library()->types())
+        if (type->is_field()) types.push_back(type);
+    return types;
+}
+
+// The subject's own field, with its bounds.
+Field own_field(const Starter& starter)
+{
+    return Field(starter.scene.program({.bounds = true, .root = starter.subject}));
+}
+
+// Default parameters first, then random ones.
+Starter variant(const NodeType& type, int number)
+{
+    Random random(static_cast<std::uint64_t>(number) * 977);
+    return Starter(type, library(), number == 0 ? nullptr : &random);
+}
+
+bool is_sentence(const std::string& text)
+{
+    return text.size() > 3 && text.back() == '.' && !std::islower(static_cast<unsigned char>(text.front()));
+}
+
+TEST(LibraryWalk, has_at_least_40_types_of_every_category)
+{
+    std::set<std::string> categories;
+    for (const NodeType* type : library()->types()) categories.insert(type->category);
+    EXPECT_GE(library()->types().size(), 40u);
+    EXPECT_EQ(categories, (std::set<std::string>{"camera", "combine", "convert", "domain", "light", "material", "modify", "output",
+                                                 "primitive", "shape2d", "sky", "value"}));
+}
+
+TEST(LibraryWalk, documents_every_type_and_parameter)
+{
+    for (const NodeType* type : library()->types()) {
+        SCOPED_TRACE(type->name);
+        EXPECT_FALSE(type->title.empty());
+        EXPECT_TRUE(is_sentence(type->help)) << type->help;
+        for (const Parameter& parameter : type->parameters) {
+            SCOPED_TRACE(parameter.name);
+            EXPECT_TRUE(is_sentence(parameter.help)) << parameter.help;
+            bool choice = parameter.kind == ParameterKind::choice;
+            EXPECT_GE(parameter.choices.size(), choice ? 2u : 0u);
+        }
+    }
+}
+
+// Words that only lengths have in their names.
+TEST(LibraryWalk, says_the_unit_of_every_length)
+{
+    const std::set<std::string> lengths = {"radius", "height", "width", "thickness", "size", "offset", "spacing", "smoothness", "distance"};
+    for (const NodeType* type : field_types())
+        for (const Parameter& parameter : type->parameters)
+            EXPECT_TRUE(!lengths.contains(parameter.name) || parameter.unit == "m") << type->name << "." << parameter.name;
+}
+
+TEST(LibraryWalk, compiles_every_function_for_every_instruction_set)
+{
+    int count = 0;
+    const field::KernelTable* const* tables = field::runnable_kernels(count);
+    ASSERT_GE(count, 1);
+    for (const NodeType* type : library()->types()) {
+        EXPECT_TRUE(type->compiled) << type->name;
+        for (const char* suffix : {"distance", "point", "point_a", "point_b", "cell", "blend", "bounds", "lipschitz", "stretch", "value",
+                                   "material", "light", "ray", "sky"}) {
+            const graph::Function* function = type->function(suffix);
+            if (!function || (type->category == "output" && std::string_view(suffix) == "distance")) continue;
+            for (int i = 0; i < count; ++i)
+                EXPECT_NE(field::find_kernel(*tables[i], function->name), nullptr) << function->name << " " << tables[i]->instruction_set;
+        }
+    }
+}
+
+TEST(LibraryWalk, every_type_draws_alike_on_both_devices)
+{
+    renderer::GpuDevice gpu;
+    renderer::FrameRequest request{.width = 32, .height = 32, .time = 0.6f};
+    for (const NodeType* type : library()->types()) {
+        graph::Program program = Starter(*type, library()).scene.program();
+        EXPECT_TRUE(program.problems.empty()) << type->name << ": " << program.problems.front().sentence;
+        renderer::Frame on_gpu = gpu.render(program, request), on_cpu = renderer::render_on_cpu(program, request);
+        int apart = 0;
+        for (std::size_t i = 0; i < on_gpu.colour.size(); ++i)
+            apart += glm::length(on_gpu.colour[i] - on_cpu.colour[i]) <= 0.02f ? 0 : 1;
+        EXPECT_LE(apart, 5) << type->name;
+        EXPECT_GT(std::count_if(on_cpu.node_id.begin(), on_cpu.node_id.end(), [](int id) { return id > 0; }), 0) << type->name;
+    }
+}
+
+TEST(LibraryWalk, gpu_and_cpu_agree_at_4096_points)
+{
+    renderer::GpuDevice gpu;
+    for (const NodeType* type : field_types())
+        for (int number = 0; number < 2; ++number) {
+            Field field = own_field(variant(*type, number));
+            Random random(11);
+            std::vector<glm::vec3> points = sample_points(random, 4096);
+            Agreement agreement = compare_machines(field, points, gpu.distances(field.program, field.time, points));
+            EXPECT_EQ(agreement.differing, 0u) << type->name << " " << number << " " << agreement.worst;
+            EXPECT_GE(agreement.compared, 3500u) << type->name << " " << number;
+        }
+}
+
+TEST(LibraryWalk, instruction_sets_agree_to_the_bit)
+{
+    int count = 0;
+    const field::KernelTable* const* tables = field::runnable_kernels(count);
+    for (const NodeType* type : field_types()) {
+        Field field = own_field(variant(*type, 1));
+        Random random(12);
+        std::vector<glm::vec3> points = sample_points(random, 1000);
+        std::vector<float> widest = field::distances(field.program, field.block, points, *tables[0]);
+        for (int i = 1; i < count; ++i)
+            EXPECT_EQ(widest, field::distances(field.program, field.block, points, *tables[i])) << type->name << " " << tables[i]->instruction_set;
+    }
+}
+
+// Pairs of points 1e-3 to 1e-1 apart and the steepest change between them, beyond what single precision blurs.
+struct Slope {
+    float steepest = 0;
+    std::string where;
+};
+
+Slope steepest_slope(const Field& field, bool outside_only, Random& random)
+{
+    constexpr std::size_t pairs = 6000;
+    std::vector<glm::vec3> from = sample_points(random, pairs), to;
+    for (const glm::vec3& p : from) to.push_back(p + random.direction() * std::pow(10.0f, random.between(-3, -1)));
+    std::vector<float> there = field.at(from), here = field.at(to);
+    Slope slope;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        if (outside_only && (there[i] < 0 || here[i] < 0)) continue;
+        float apart = glm::distance(from[i], to[i]);
+        float blur = 4e-6f * (1 + glm::length(from[i]) + std::abs(there[i]));
+        float steep = (std::abs(there[i] - here[i]) - blur) / apart;
+        if (steep <= slope.steepest) continue;
+        const glm::vec3 &p = from[i], &q = to[i];
+        slope.steepest = steep;
+        slope.where = "from (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ") " +
+                      std::to_string(there[i]) + " to (" + std::to_string(q.x) + ", " + std::to_string(q.y) + ", " +
+                      std::to_string(q.z) + ") " + std::to_string(here[i]);
+    }
+    return slope;
+}
+
+TEST(LibraryWalk, no_field_is_steeper_than_its_file_says)
+{
+    for (const NodeType* type : field_types())
+        for (int number = 0; number < 25; ++number) {
+            Starter starter = variant(*type, number);
+            Random random(static_cast<std::uint64_t>(number) + 5);
+            bool outside_only = type->quality_inside == graph::Quality::approximate;
+            Slope slope = steepest_slope(own_field(starter), outside_only, random);
+            EXPECT_LE(slope.steepest, 1.0001f) << type->name << " variant " << number << " " << slope.where;
+        }
+}
+
+// An exact or bound field is never larger than the way to its surface: no step by it passes through.
+TEST(LibraryWalk, bounds_contain_the_surface)
+{
+    for (const NodeType* type : field_types())
+        for (int number = 0; number < 25; ++number) {
+            Field field = own_field(variant(*type, number));
+            ASSERT_NE(field.program.bounds, graph::no_value) << type->name;
+            glm::vec3 centre, half;
+            for (int axis = 0; axis < 3; ++axis) {
+                centre[axis] = field.lane(field.program.bounds, axis);
+                half[axis] = field.lane(field.program.bounds, 3 + axis);
+            }
+            Random random(static_cast<std::uint64_t>(number) + 77);
+            std::vector<glm::vec3> outside;
+            bool plane = type->output == graph::SocketKind::field2d;
+            for (int i = 0; i < 4000; ++i) {
+                glm::vec3 p = centre + (glm::min(half, glm::vec3(4)) + 0.5f) * random.in_cube(1);
+                if (plane) p.z = 0;
+                glm::vec3 beyond = glm::abs(p - centre) - half;
+                if (std::max(beyond.x, std::max(beyond.y, beyond.z)) > 1e-3f) outside.push_back(p);
+            }
+            std::vector<float> distances = field.at(outside);
+            for (std::size_t i = 0; i < outside.size(); ++i)
+                ASSERT_GT(distances[i], 0) << type->name << " variant " << number << " at " << outside[i].x << " " << outside[i].y
+                                           << " " << outside[i].z << " box " << centre.x << " " << centre.y << " " << centre.z
+                                           << " half " << half.x << " " << half.y << " " << half.z;
+        }
+}
+
+}  // namespace
+}  // namespace fieldwright::tests
