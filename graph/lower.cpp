@@ -33,6 +33,7 @@ Program Lowering::lower()
     Entry sky = lower_sky(output >= 0 ? other_source(output, "sky", SocketKind::sky) : -1);
     std::vector<LightEntry> lights = lower_lights();
     ValueId bounds = options_.bounds && root >= 0 ? box(root) : no_value;
+    ValueId lipschitz = root >= 0 && types_[static_cast<std::size_t>(root)]->is_field() ? memo_lipschitz(root) : no_value;
     Program program = builder_.finish();
     program.distance = std::move(distance);
     program.surface = std::move(surface);
@@ -40,7 +41,7 @@ Program Lowering::lower()
     program.sky = std::move(sky);
     program.lights = std::move(lights);
     program.bounds = bounds;
-    program.lipschitz = root >= 0 && types_[static_cast<std::size_t>(root)]->is_field() ? memo_lipschitz(root) : no_value;
+    program.lipschitz = lipschitz;
     program.march = document_.march;
     program.occlusion = document_.occlusion;
     program.expanded_cost = cost_;

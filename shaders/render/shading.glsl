@@ -11,8 +11,9 @@ vec3 shade_light(Material material, vec3 normal, vec3 view, Light light, float v
     return visibility * light.radiance * reflected;
 }
 
-// Light of the sky around the normal, as far as it is open, and the surface's own.
+// Light of the sky around the normal, as far as it is open, and the surface's own. Half the radiance straight along the
+// normal stands for the hemisphere, whose rim is the ground and other things.
 vec3 shade_ambient(Material material, vec3 sky_radiance, float openness)
 {
-    return openness * material.albedo * sky_radiance + material.emission;
+    return 0.5f * openness * material.albedo * sky_radiance + material.emission;
 }

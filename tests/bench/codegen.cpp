@@ -1,8 +1,8 @@
 // From document to shader text: microseconds per node, and that they do not grow with the scene.
-#include "bench/csg_scene.h"
-#include "bench/timing.h"
 #include "codegen/glsl.h"
 #include "graph/program.h"
+#include "tests/bench/csg_scene.h"
+#include "tests/bench/timing.h"
 
 #include <algorithm>
 

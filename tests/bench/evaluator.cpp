@@ -1,8 +1,8 @@
 // The CPU evaluator against the same scene printed as C++ and compiled for this processor: distances per second.
 #include "field/evaluator.h"
-#include "bench/csg_scene.h"
-#include "bench/timing.h"
 #include "codegen/glsl.h"
+#include "tests/bench/csg_scene.h"
+#include "tests/bench/timing.h"
 
 #include <dlfcn.h>
 #include <unistd.h>

@@ -1,11 +1,11 @@
 // The generated shader against one of the same scene as written by hand: seconds until it is ready, seconds per frame.
-#include "bench/csg_scene.h"
-#include "bench/timing.h"
 #include "codegen/glsl.h"
 #include "codegen/scene_printer.h"
 #include "field/evaluator.h"
 #include "renderer/gl_handles.h"
 #include "renderer/headless_context.h"
+#include "tests/bench/csg_scene.h"
+#include "tests/bench/timing.h"
 
 #include <fstream>
 #include <iterator>

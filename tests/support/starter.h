@@ -11,10 +11,11 @@ public:
     explicit Starter(const graph::NodeType& type, std::shared_ptr<const graph::Library> library, Random* random = nullptr)
         : scene(std::move(library)), random_(random)
     {
-        subject = type.category == "output" ? scene.show(child(3)) : add(type.name);
-        NodeId field = child_for(type.output);
+        bool is_output = type.category == "output";
+        subject = is_output ? scene.show(child(3)) : add(type.name);
+        NodeId field = is_output ? child(3) : child_for(type.output);
         scene.show(field);
-        if (type.category != "output") fill_inputs(subject);
+        if (!is_output) fill_inputs(subject);
         if (type.output == graph::SocketKind::camera) scene.wire(subject, scene.show(field), "camera");
         if (type.output == graph::SocketKind::sky) scene.wire(subject, scene.show(field), "sky");
         if (type.output != graph::SocketKind::light) scene.node("sun");

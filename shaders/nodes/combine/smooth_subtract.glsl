@@ -15,7 +15,7 @@ float smooth_subtract_blend(
     float a,
     float b,
     float smoothness,
-    int cut_face)  // a {a, b, nearer}  Whose material the cut shows: the first shape's, the second's mixed in softly, or the nearer's.
+    int cut_face)  // a {a, b, nearer}  Whose material the cut shows: a's, b's mixed in softly, or the nearer one's.
 {
     float size = max(smoothness, 1.0e-6f);
     float share = 0.5f * max(size - abs(a + b), 0.0f) / size;

@@ -10,7 +10,7 @@ float subtract_distance(float a, float b)
 float subtract_blend(
     float a,
     float b,
-    int cut_face)  // a {a, b, nearer}  Whose material the cut shows: the first shape's, the second's, or that of the nearer surface.
+    int cut_face)  // a {a, b, nearer}  Whose material the cut shows: a's, b's, or that of the nearer surface.
 {
     float beyond_cut = -b > a ? 1.0f : 0.0f;
     float nearer_b = abs(b) < abs(a) ? 1.0f : 0.0f;

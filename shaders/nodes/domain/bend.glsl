@@ -29,7 +29,7 @@ vec3 bend_point(
     vec3 p,
     float turn)  // 45.0 [-360, 360] [-120, 120] deg/m  Turn per metre of length.
 {
-    float curvature = max(abs(turn), 1.0e-4f);
+    float curvature = max(abs(turn), 1.0e-6f);
     float side = turn < 0.0f ? -1.0f : 1.0f;
     vec2 q = vec2(p.x, p.y * side);
     float along = bend_angle(1.0f - curvature * q.y, curvature * q.x) / curvature;
@@ -50,10 +50,10 @@ float bend_distance(
     float turn,
     float depth)  // 0.5 [0, 100] [0, 5] m  How far the solid reaches towards the centre of the arc; more is cut off.
 {
-    float curvature = max(abs(turn), 1.0e-4f);
+    float curvature = max(abs(turn), 1.0e-6f);
     vec2 q = vec2(p.x, turn < 0.0f ? -p.y : p.y);
     float free_share = bend_free(curvature, depth);
-    float from_hole = bend_rise(q, curvature) - (1.0f - free_share) / curvature;
+    float from_hole = bend_rise(q, curvature) - min(depth, 0.8f / curvature);
     vec2 from_centre = vec2(abs(q.x), q.y - 1.0f / curvature);
     float radius = length(from_centre);
     // The seam keeps a wedge of 14 degrees to both sides free.
@@ -67,16 +67,17 @@ float bend_distance(
 // The guards let the bent field through only beyond four fifths of the free radius.
 float bend_stretch(float turn, float depth)
 {
-    return 1.25f / bend_free(max(abs(turn), 1.0e-4f), depth);
+    return 1.25f / bend_free(max(abs(turn), 1.0e-6f), depth);
 }
 
 Box bend_bounds(float turn, Box child)
 {
-    float curvature = max(abs(turn), 1.0e-4f);
+    float curvature = max(abs(turn), 1.0e-6f);
     float side = turn < 0.0f ? -1.0f : 1.0f;
     float along = abs(child.centre.x) + child.half_size.x;
     float thick = abs(child.centre.y) + child.half_size.y;
     float reach = min(along, 1.0f / curvature) + thick;
     float rise = min(2.0f / curvature, 0.5f * curvature * along * along);
-    return make_box(vec3(0.0f, 0.5f * side * rise, child.centre.z), vec3(reach, 0.5f * rise + thick, child.half_size.z));
+    vec3 centre = vec3(0.0f, 0.5f * side * rise, child.centre.z);
+    return make_box(centre, vec3(reach, 0.5f * rise + thick, child.half_size.z));
 }

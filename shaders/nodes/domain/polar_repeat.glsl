@@ -1,8 +1,8 @@
 // Polar repeat: Copies of a solid in a circle around the y axis.
-// Exact for solids that stay in their sector, and for symmetric ones that leave it by up to half a sector.
+// Exact for solids that leave their sector by up to half a sector.
 // field: exact; bound
 // synonyms: circular array, radial, ring, revolve copies, clock
-// copies: 2
+// copies: 3
 // combiner: hard
 const float POLAR_REPEAT_PI = 3.14159265f;
 
@@ -20,11 +20,11 @@ float polar_repeat_angle(float x, float y)
     return y < 0.0f ? -angle : angle;
 }
 
+// The sector that holds p, and those before and after it.
 float polar_repeat_index(vec3 p, int count, int copy)
 {
     float sectors = polar_repeat_angle(p.x, p.z) * float(count) / (2.0f * POLAR_REPEAT_PI);
-    float index = floor(sectors + 0.5f);
-    return index + (sectors < index ? -1.0f : 1.0f) * float(copy);
+    return floor(sectors + 0.5f) + float(copy - 1);
 }
 
 vec3 polar_repeat_cell(
@@ -55,6 +55,7 @@ float polar_repeat_distance(float acc, float d)
 
 Box polar_repeat_bounds(float radius, Box child)
 {
-    float reach = length(vec2(abs(child.centre.x + radius) + child.half_size.x, abs(child.centre.z) + child.half_size.z));
+    float farthest_x = abs(child.centre.x + radius) + child.half_size.x;
+    float reach = length(vec2(farthest_x, abs(child.centre.z) + child.half_size.z));
     return make_box(vec3(0.0f, child.centre.y, 0.0f), vec3(reach, child.half_size.y, reach));
 }

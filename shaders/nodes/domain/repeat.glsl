@@ -4,6 +4,8 @@
 // synonyms: tile, array, grid, infinite, lattice, clone
 // copies: 8
 // combiner: hard
+
+// Along one axis: the cell that holds x, or (further is 1) the one on the nearer side of it.
 float repeat_index(float x, float pitch, float further)
 {
     float safe = max(pitch, 1.0e-6f);

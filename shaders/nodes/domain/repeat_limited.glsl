@@ -4,6 +4,8 @@
 // synonyms: array, grid, row, clone, tile, lattice
 // copies: 8
 // combiner: hard
+
+// Along one axis: the cell that holds x, or (further is 1) the one on the nearer side of it.
 float repeat_limited_index(float x, float pitch, float number, float further)
 {
     float last = max(floor(number + 0.5f), 1.0f) - 1.0f;

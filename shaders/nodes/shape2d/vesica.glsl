@@ -3,7 +3,7 @@
 // synonyms: lens, eye, leaf, almond, mandorla
 float vesica_distance(
     vec2 p,
-    float half_width,   // 0.3 [0.001, 100] [0.05, 5] m  Half the width, from a fiftieth of half the height to all of it.
+    float half_width,   // 0.3 [0.001, 100] [0.05, 5] m  Half the width: 1/50 to 1 of the half height.
     float half_height)  // 0.6 [0.001, 100] [0.05, 5] m  Distance from the centre to the tips.
 {
     float bulge = clamp(half_width, 0.02f * half_height, half_height);

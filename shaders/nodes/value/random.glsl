@@ -23,7 +23,7 @@ float random_hash(vec3 whole, float seed)
     hash = random_shuffle(hash + random_remainder(whole.x) + 71.0f);
     hash = random_shuffle(hash + random_remainder(whole.y) + 157.0f);
     hash = random_shuffle(hash + random_remainder(whole.z) + 263.0f);
-    return random_shuffle(hash + 97.0f);
+    return random_shuffle(random_shuffle(hash + 97.0f) + 331.0f);
 }
 
 float random_value(
