@@ -2,10 +2,10 @@
 #include "renderer/cpu_tile.h"
 #include "renderer/devices.h"
 
-#include <algorithm>
-#include <mutex>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <algorithm>
+#include <mutex>
 
 namespace fieldwright::renderer {
 namespace {

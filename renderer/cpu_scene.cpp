@@ -1,8 +1,6 @@
 // Prepares a program for drawing on the CPU.
 #include "renderer/cpu_scene.h"
 
-#include <algorithm>
-
 namespace fieldwright::renderer {
 namespace {
 
@@ -36,14 +34,6 @@ std::vector<field::Evaluator> light_evaluators(const graph::Program& program, co
     return evaluators;
 }
 
-int count_shadows(const graph::Program& program)
-{
-    auto is_shadowed = [](const graph::LightEntry& light) { return light.shadow; };
-    return static_cast<int>(std::count_if(program.lights.begin(), program.lights.end(), is_shadowed));
-}
-
-float eye_side(Eye eye) { return eye == Eye::left ? -1.0f : (eye == Eye::right ? 1.0f : 0.0f); }
-
 }  // namespace
 
 StructureLanes::StructureLanes(const graph::Library& library)
@@ -65,7 +55,7 @@ CpuScene::CpuScene(const graph::Program& program, const FrameRequest& frame_requ
     : request(frame_request),
       block(field::evaluate_frame(program, frame_request.time)),
       lanes(*program.library),
-      shadow_count(count_shadows(program)),
+      shadow_count(renderer::shadow_count(program)),
       distance(program, program.distance, table),
       surface(program, program.surface, table),
       ray(program, program.ray, table),

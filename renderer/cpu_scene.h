@@ -17,7 +17,8 @@ struct StructureLanes {
 
 // Immutable while tiles are drawn; threads share it.
 struct CpuScene {
-    CpuScene(const graph::Program& program, const FrameRequest& request, const field::KernelTable& table = field::kernels());
+    CpuScene(const graph::Program& program, const FrameRequest& request,
+             const field::KernelTable& table = field::kernels());
 
     FrameRequest request;
     std::vector<float> block;
@@ -28,8 +29,8 @@ struct CpuScene {
     std::vector<field::Evaluator> lights;  // shadowed first
 
     Rows march, budget, eye, interaxial, convergence;  // constants, spread over a row
-    RowFunction stereo_ray, eye_probe, shadow_probe, probe_point, advance, probe_done, probe_missed, probe_normal, shade_ambient,
-        shade_light;
+    RowFunction stereo_ray, eye_probe, shadow_probe, probe_point, advance, probe_done, probe_missed, probe_normal,
+        shade_ambient, shade_light;
 };
 
 }  // namespace fieldwright::renderer

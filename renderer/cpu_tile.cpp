@@ -31,7 +31,8 @@ Rows gathered(const Rows& pool, std::span<const int> pixels) { return gathered(p
 void scatter(Rows& pool, int pool_lane, const Rows& from, int from_lane, int lanes, std::span<const int> pixels)
 {
     for (int k = 0; k < lanes; ++k)
-        for (std::size_t i = 0; i < pixels.size(); ++i) pool.lane(pool_lane + k)[pixels[i]] = from.lane(from_lane + k)[i];
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            pool.lane(pool_lane + k)[pixels[i]] = from.lane(from_lane + k)[i];
 }
 
 template <typename Visit>
@@ -122,8 +123,8 @@ void TileRenderer::start_eyes(const TileArea& area)
         scatter(eyes_, 0, probe, 0, lanes.probe, batch);
         scatter(direction_, 0, ray, lanes.ray_direction, 3, batch);
         for (std::size_t i = 0; i < batch.size(); ++i)
-            forward_share_.lane(0)[batch[i]] =
-                glm::dot(ray.vec3(lanes.ray_direction, static_cast<int>(i)), ray.vec3(lanes.ray_forward, static_cast<int>(i)));
+            forward_share_.lane(0)[batch[i]] = glm::dot(ray.vec3(lanes.ray_direction, static_cast<int>(i)),
+                                                        ray.vec3(lanes.ray_forward, static_cast<int>(i)));
     });
 }
 
@@ -224,7 +225,8 @@ void TileRenderer::shade_hits(Pixels pixels)
 {
     const StructureLanes& lanes = scene_.lanes;
     int count = size(pixels);
-    Rows position = gathered(position_, pixels), normal = gathered(normal_, pixels), view = gathered(direction_, pixels);
+    Rows position = gathered(position_, pixels), normal = gathered(normal_, pixels),
+         view = gathered(direction_, pixels);
     for (int k = 0; k < 3; ++k) std::transform(view.lane(k), view.lane(k) + count, view.lane(k), std::negate<float>());
 
     Rows surface(lanes.material + 2), sky(3), colour(3), light(lanes.light), contribution(3), visibility(1);

@@ -23,7 +23,7 @@ public:
     void draw(const TileArea& area, Frame& frame);
 
 private:
-    using Pixels = std::span<const int>;  // pixels of the tile, at most field::row_width
+    using Pixels = std::span<const int>;  // of the tile: x + y * width
 
     // An evaluator with this thread's rows.
     struct Stage {
@@ -51,11 +51,11 @@ private:
     std::vector<Stage> lights_;
 
     // By pixel of the tile.
-    Rows eyes_, shadows_;  // probes
-    Rows remaining_;       // budget
+    Rows eyes_, shadows_;             // probes
+    Rows remaining_;                  // budget
     Rows direction_, forward_share_;  // of the eye ray; depth = length * share
     Rows position_, normal_, ids_;    // ids: node, material
-    Rows lit_;             // one lane per shadowed light
+    Rows lit_;                        // one lane per shadowed light
     Rows colour_;
     std::vector<int> hits_, misses_;
 

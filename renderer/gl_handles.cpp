@@ -47,10 +47,22 @@ void attach(GLuint program, GLenum stage, const std::string& text)
 
 }  // namespace
 
-GLuint TextureKind::make() { return generated([](GLsizei n, GLuint* name) { glGenTextures(n, name); }); }
-GLuint BufferKind::make() { return generated([](GLsizei n, GLuint* name) { glGenBuffers(n, name); }); }
-GLuint FramebufferKind::make() { return generated([](GLsizei n, GLuint* name) { glGenFramebuffers(n, name); }); }
-GLuint VertexArrayKind::make() { return generated([](GLsizei n, GLuint* name) { glGenVertexArrays(n, name); }); }
+GLuint TextureKind::make()
+{
+    return generated([](GLsizei n, GLuint* name) { glGenTextures(n, name); });
+}
+GLuint BufferKind::make()
+{
+    return generated([](GLsizei n, GLuint* name) { glGenBuffers(n, name); });
+}
+GLuint FramebufferKind::make()
+{
+    return generated([](GLsizei n, GLuint* name) { glGenFramebuffers(n, name); });
+}
+GLuint VertexArrayKind::make()
+{
+    return generated([](GLsizei n, GLuint* name) { glGenVertexArrays(n, name); });
+}
 
 Shader::Shader(const std::string& fragment_text)
 {
@@ -85,8 +97,8 @@ FloatTarget::FloatTarget(int width, int height, int attachments) : width_(width)
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     std::string size = std::to_string(width) + "x" + std::to_string(height);
     if (width > limit || height > limit)
-        throw graph::Failure(1, "a picture of " + size + " is larger than this GPU's limit of " + std::to_string(limit) +
-                                    " pixels a side; choose a smaller --size or --device cpu");
+        throw graph::Failure(1, "a picture of " + size + " is larger than this GPU's limit of " +
+                                    std::to_string(limit) + " pixels a side; choose a smaller --size or --device cpu");
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     std::vector<GLenum> buffers;
     for (int i = 0; i < attachments; ++i) {
@@ -98,7 +110,8 @@ FloatTarget::FloatTarget(int width, int height, int attachments) : width_(width)
     }
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw graph::Failure(1, "the GPU has no room for a picture of " + size + "; choose a smaller --size or --device cpu");
+        throw graph::Failure(
+            1, "the GPU has no room for a picture of " + size + "; choose a smaller --size or --device cpu");
 }
 
 void FloatTarget::bind() const

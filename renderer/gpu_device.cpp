@@ -30,8 +30,6 @@ bool is_software(const std::string& name)
     return false;
 }
 
-float eye_side(Eye eye) { return eye == Eye::left ? -1.0f : (eye == Eye::right ? 1.0f : 0.0f); }
-
 // Shader that was linked last, and from what; linking again needs another text.
 struct CachedShader {
     std::string text;
@@ -80,8 +78,7 @@ void set_march(const Shader& shader, const graph::Program& program)
     shader.set("march.occlusion_strength", program.occlusion.strength);
     shader.set("march.occlusion_radius", program.occlusion.radius);
     shader.set("step_budget", program.step_budget);
-    auto is_shadowed = [](const graph::LightEntry& light) { return light.shadow; };
-    shader.set("ray_count", 1 + static_cast<int>(std::count_if(program.lights.begin(), program.lights.end(), is_shadowed)));
+    shader.set("ray_count", 1 + shadow_count(program));
 }
 
 void set_view(const Shader& shader, const FrameRequest& request)
@@ -98,7 +95,8 @@ void require_context()
     bool can_tell = epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness") ||
                     epoxy_has_gl_extension("GL_ARB_robustness");
     if ((can_tell && glGetGraphicsResetStatus() != GL_NO_ERROR) || glGetError() == GL_OUT_OF_MEMORY)
-        throw graph::Failure(1, "the GPU gave up while drawing this scene; use a simpler scene, a smaller --size or --device cpu");
+        throw graph::Failure(
+            1, "the GPU gave up while drawing this scene; use a simpler scene, a smaller --size or --device cpu");
 }
 
 // Reads one attachment; visit(pixel of the frame, vec4). GL rows are bottom-up, the frame's top-down.
@@ -126,7 +124,8 @@ Frame read_frame(const FloatTarget& target)
         frame.material_id[i] = static_cast<int>(texel.z);
         frame.steps[i] = static_cast<int>(texel.w);
     });
-    read_flipped(target, 2, scratch, [&](std::size_t i, const glm::vec4& texel) { frame.normal[i] = glm::vec3(texel); });
+    read_flipped(target, 2, scratch,
+                 [&](std::size_t i, const glm::vec4& texel) { frame.normal[i] = glm::vec3(texel); });
     return frame;
 }
 
@@ -177,8 +176,8 @@ void GpuDevice::State::upload(const Shader& shader, const graph::Program& progra
     }
     const glm::vec4 none(0);
     bool empty = program.list_data.empty();
-    lists.upload(empty ? &none.x : &program.list_data[0].x, empty ? 1 : program.list_data.size());
     lists.bind(list_unit);
+    lists.upload(empty ? &none.x : &program.list_data[0].x, empty ? 1 : program.list_data.size());
     shader.set("list_texture", list_unit);
 }
 
@@ -229,7 +228,8 @@ std::vector<float> GpuDevice::distances(const graph::Program& program, float tim
 {
     state_->context.make_current();
     std::vector<float> values = field::evaluate_frame(program, time);
-    state_->links += state_->distances.update(codegen::print_distance_shader(program, values, state_->placement(values)));
+    state_->links +=
+        state_->distances.update(codegen::print_distance_shader(program, values, state_->placement(values)));
     const Shader& shader = *state_->distances.shader;
     state_->upload(shader, program, values);
     shader.set("points", points_unit);
@@ -242,8 +242,8 @@ std::vector<float> GpuDevice::distances(const graph::Program& program, float tim
     for (std::size_t first = 0; first < points.size(); first += batch) {
         std::size_t count = std::min(batch, points.size() - first);
         for (std::size_t i = 0; i < count; ++i) texels[i] = glm::vec4(points[first + i], 0);
+        state_->points.bind(points_unit);  // uploading binds to the active unit: make it this one
         state_->points.upload(&texels[0].x, batch);
-        state_->points.bind(points_unit);
         draw_rows(points_across, 0, static_cast<int>((count + points_across - 1) / points_across));
         std::vector<glm::vec4> drawn(batch);
         state_->target->read(0, &drawn[0].x);

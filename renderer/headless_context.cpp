@@ -70,8 +70,9 @@ EGLConfig any_config(EGLDisplay display)
 EGLContext make_context(EGLDisplay display)
 {
     if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
-    const EGLint plain[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint plain[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     const EGLint robust[] = {EGL_CONTEXT_MAJOR_VERSION,
                              3,
                              EGL_CONTEXT_MINOR_VERSION,
@@ -94,7 +95,8 @@ EGLContext make_context(EGLDisplay display)
 // Displays are the process's, shared by every context on them, and stay open.
 HeadlessContext::HeadlessContext()
 {
-    if (!epoxy_has_egl()) throw graph::Failure(4, "no EGL library is installed; install Mesa (libegl1) or use --device cpu");
+    if (!epoxy_has_egl())
+        throw graph::Failure(4, "no EGL library is installed; install Mesa (libegl1) or use --device cpu");
     for (const Candidate& candidate : candidates()) {
         EGLDisplay display = open_display(candidate);
         if (display == EGL_NO_DISPLAY) continue;
@@ -107,8 +109,10 @@ HeadlessContext::HeadlessContext()
         }
         eglDestroyContext(display, context);
     }
-    throw graph::Failure(4, "no graphics driver here offers OpenGL 3.3 without a window; install one (Mesa's libgl1-mesa-dri "
-                            "draws on any machine) or use --device cpu");
+    throw graph::Failure(
+        4,
+        "no graphics driver here offers OpenGL 3.3 without a window; install one (Mesa's libgl1-mesa-dri "
+        "draws on any machine) or use --device cpu");
 }
 
 HeadlessContext::~HeadlessContext()

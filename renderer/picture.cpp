@@ -3,9 +3,9 @@
 
 #include "renderer/rows.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace fieldwright::renderer {
 namespace {

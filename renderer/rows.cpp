@@ -24,8 +24,8 @@ RowFunction::RowFunction(std::string_view name, const field::KernelTable& table)
 {
     const field::KernelEntry* entry = field::find_kernel(table, name);
     if (!entry)
-        throw graph::Failure(1, "the shading function " + std::string(name) +
-                                    " is not compiled into this program; build it again");
+        throw graph::Failure(
+            1, "the shading function " + std::string(name) + " is not compiled into this program; build it again");
     kernel_ = entry->varying;
 }
 

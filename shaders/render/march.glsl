@@ -86,7 +86,7 @@ vec3 tap_corner(int phase)
 
 float tap_size(Probe probe)
 {
-    return 5.0e-4f * max(1.0f, probe.t);
+    return 2.0e-4f * max(1.0f, probe.t);
 }
 
 float occlusion_height(Probe probe, March march)

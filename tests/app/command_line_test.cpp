@@ -1,5 +1,5 @@
 // The command line's promises: what goes to which stream, the exit codes, refusals in one sentence.
-#include "app/program.h"
+#include "tests/app/program.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // Every example, view and stereo mode on both devices: the same picture.
-#include "app/program.h"
+#include "tests/app/program.h"
 #include "graph/scene_file.h"
 #include "renderer/devices.h"
 #include "renderer/picture.h"

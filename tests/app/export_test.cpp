@@ -1,5 +1,5 @@
 // Every example as an export: it compiles where it is going to.
-#include "app/program.h"
+#include "tests/app/program.h"
 
 namespace fieldwright::tests {
 namespace {

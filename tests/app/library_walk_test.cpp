@@ -1,5 +1,5 @@
 // Every node type through the command line, and a file dropped into a node folder.
-#include "app/program.h"
+#include "tests/app/program.h"
 
 #include <nlohmann/json.hpp>
 #include <set>

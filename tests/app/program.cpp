@@ -1,5 +1,5 @@
 // Runs the finished program through the shell, with its streams in files.
-#include "app/program.h"
+#include "tests/app/program.h"
 
 #include <atomic>
 #include <fstream>

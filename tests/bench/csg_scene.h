@@ -96,7 +96,7 @@ inline CsgScene csg_scene(int count)
     std::vector<int> indices(static_cast<std::size_t>(count));
     std::iota(indices.begin(), indices.end(), 0);
     combine(scene, dice, indices);
-    scene.eye = static_cast<float>(side) * glm::vec3(0.9f, 0.8f, 1.3f);
+    scene.eye = static_cast<float>(side) * glm::vec3(0.9f, 0.7f, 1.35f);
     return scene;
 }
 
@@ -166,6 +166,9 @@ inline graph::NodeId add_combination(SceneWriter& writer, const Combination& com
     }
     return writer.add("subtract", {}, {{"a", a}, {"b", b}});
 }
+
+// A shape and its translation are added one after the other, from 1 on.
+inline int shape_node_id(int shape) { return 2 * shape + 1; }
 
 inline graph::Document csg_document(const CsgScene& scene, const std::shared_ptr<const graph::Library>& library)
 {

@@ -47,17 +47,28 @@ std::string compiler_flags()
     return flags;
 }
 
-// All of the scene inlined into one loop over the points of a row.
+const char* const cpp_head = R"(#include "field/dialect.h"
+namespace scene {
+namespace {
+FIELDWRIGHT_DIALECT_TYPES
+#include "field/dialect_functions.inc"
+)";
+
+const char* const cpp_tail = R"(}
+}
+extern "C" __attribute__((flatten)) void scene_row(
+    float* __restrict result, const float* __restrict x, const float* __restrict y, const float* __restrict z, int count)
+{
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) result[i] = scene::scene_distance(glm::vec3(x[i], y[i], z[i]));
+}
+)";
+
+// All of the scene inlined into one loop over the points of a row; without names that others could see, nothing stops
+// the compiler.
 std::string scene_as_cpp(const graph::Program& program)
 {
-    return "#include \"field/dialect.h\"\nnamespace scene {\nFIELDWRIGHT_DIALECT_TYPES\n#include "
-           "\"field/dialect_functions.inc\"\n"
-           "struct List;\n" +
-           codegen::print_scene(program, program.block, codegen::Placement::literals) +
-           "}\nextern \"C\" __attribute__((flatten)) void scene_row(float* __restrict result, const float* __restrict "
-           "x,\n"
-           "    const float* __restrict y, const float* __restrict z, int count)\n{\n#pragma GCC ivdep\n"
-           "    for (int i = 0; i < count; ++i) result[i] = scene::scene_distance(glm::vec3(x[i], y[i], z[i]));\n}\n";
+    return cpp_head + codegen::print_scene(program, program.block, codegen::Placement::literals) + cpp_tail;
 }
 
 // The scene as a shared library made by the system's compiler.
@@ -117,16 +128,16 @@ float largest_difference(const std::vector<float>& a, const std::vector<float>& 
     return largest;
 }
 
-// Seconds of all threads together: each takes its share of the points.
+// Seconds of all threads together: each takes its share of the points. One thread's own time is its processor's.
 template <typename Distances>
 double seconds_on(int threads, Points points, const Distances& distances)
 {
+    if (threads == 1) return processor_seconds_of([&] { distances(points); });
     return seconds_of([&] {
         std::size_t share = points.size() / static_cast<std::size_t>(threads);
-        std::vector<std::jthread> others;
-        for (int i = 1; i < threads; ++i)
-            others.emplace_back([&, i] { distances(points.subspan(static_cast<std::size_t>(i) * share, share)); });
-        distances(points.first(share));
+        std::vector<std::jthread> workers;
+        for (int i = 0; i < threads; ++i)
+            workers.emplace_back([&, i] { distances(points.subspan(static_cast<std::size_t>(i) * share, share)); });
     });
 }
 

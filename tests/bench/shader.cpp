@@ -43,12 +43,12 @@ std::string shape_text(const Placed& placed)
 std::string combination_text(const Combination& combination, const std::string& a, const std::string& b)
 {
     switch (combination.combiner) {
-        case Combiner::unite: return "min(" + a + ", " + b + ")";
+        case Combiner::unite: return "opUnion(" + a + ", " + b + ")";
         case Combiner::smooth_unite:
             return "opSmoothUnion(" + a + ", " + b + ", " + number(combination.smoothness) + ")";
         case Combiner::subtract: break;
     }
-    return "max(" + a + ", -" + b + ")";
+    return "opSubtraction(" + a + ", " + b + ")";
 }
 
 // Appends the lines that compute an operand; the name of its distance.
@@ -57,13 +57,14 @@ std::string write_operand(std::string& lines, const CsgScene& scene, int operand
     auto shapes = static_cast<int>(scene.shapes.size());
     std::string name = "d" + std::to_string(operand), value;
     if (operand < shapes) {
-        value = shape_text(scene.shapes[static_cast<std::size_t>(operand)]);
+        std::string id = std::to_string(shape_node_id(operand)) + ".0";
+        value = "SHAPE(" + shape_text(scene.shapes[static_cast<std::size_t>(operand)]) + ", " + id + ")";
     } else {
         const Combination& combination = scene.combinations[static_cast<std::size_t>(operand - shapes)];
         std::string a = write_operand(lines, scene, combination.a);
         value = combination_text(combination, a, write_operand(lines, scene, combination.b));
     }
-    lines += "    float " + name + " = " + value + ";\n";
+    lines += "    Found " + name + " = " + value + ";\n";
     return name;
 }
 
@@ -72,7 +73,7 @@ std::string map_text(const CsgScene& scene)
     std::string lines;
     std::string root =
         write_operand(lines, scene, static_cast<int>(scene.shapes.size() + scene.combinations.size()) - 1);
-    return "float map(vec3 p)\n{\n" + lines + "    return " + root + ";\n}\n";
+    return "Found map(vec3 p)\n{\n" + lines + "    return " + root + ";\n}\n";
 }
 
 template <typename T>
@@ -105,7 +106,7 @@ std::string surroundings_text(const graph::Document& document)
            constant("GROUND", strength * colour("gradient", "ground"));
 }
 
-std::string hand_written_shader(const CsgScene& scene, const graph::Document& document)
+std::string hand_written_shader(const CsgScene& scene, const graph::Document& document, bool with_ids)
 {
     std::ifstream file(FIELDWRIGHT_SOURCE_DIR "/tests/bench/shadertoy_style.glsl");
     std::string text(std::istreambuf_iterator<char>(file), {});
@@ -113,7 +114,8 @@ std::string hand_written_shader(const CsgScene& scene, const graph::Document& do
     std::size_t place = text.find(mark);
     if (place == std::string::npos)
         throw graph::Failure(1, "tests/bench/shadertoy_style.glsl is missing or has no SCENE line");
-    return text.replace(place, mark.size(), surroundings_text(document) + "\n" + map_text(scene));
+    text.replace(place, mark.size(), surroundings_text(document) + "\n" + map_text(scene));
+    return std::string("#version 330\n#define WITH_IDS ") + (with_ids ? "1\n" : "0\n") + text;
 }
 
 // Both shaders are drawn in the same way, whole, into the same target.
@@ -167,12 +169,12 @@ public:
         return seconds_of([&] { draw(width, height); });
     }
 
-    std::vector<glm::vec4> colours(const renderer::Shader& shader) const
+    std::vector<glm::vec4> texels(const renderer::Shader& shader, int attachment) const
     {
         shader.use();
         draw(width, height);
         std::vector<glm::vec4> result(static_cast<std::size_t>(width) * height);
-        target_.read(0, &result[0].x);
+        target_.read(attachment, &result[0].x);
         return result;
     }
 
@@ -201,20 +203,67 @@ double equal_share(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>
     return static_cast<double>(equal) / static_cast<double>(a.size());
 }
 
-// Neither is one colour: a black picture equals every other black one.
+// Share of pixels whose node ids are equal: the generated shader's stand in y, the other's in w.
+double equal_ids(const std::vector<glm::vec4>& generated, const std::vector<glm::vec4>& hand)
+{
+    std::size_t equal = 0;
+    for (std::size_t i = 0; i < hand.size(); ++i) equal += generated[i].y == hand[i].w;
+    return static_cast<double>(equal) / static_cast<double>(hand.size());
+}
+
+// A black picture equals every other black one.
 bool shows_something(const std::vector<glm::vec4>& colours)
 {
-    return std::count(colours.begin(), colours.end(), colours[0]) < static_cast<std::ptrdiff_t>(colours.size() / 2);
+    auto same = std::count(colours.begin(), colours.end(), colours[0]);
+    return same < static_cast<std::ptrdiff_t>(colours.size() / 2);
+}
+
+void compare_pictures(const Canvas& canvas, const renderer::Shader& generated, const renderer::Shader& hand,
+                      bool with_ids)
+{
+    std::vector<glm::vec4> ours = canvas.texels(generated, 0), theirs = canvas.texels(hand, 0);
+    double colours = equal_share(ours, theirs);
+    std::printf("equal within 2/255: %.3f %% of pixels", 100 * colours);
+    demand(shows_something(ours) && colours >= 0.999, "pictures of the generated and the hand-written shader");
+    if (with_ids) {
+        double ids = equal_ids(canvas.texels(generated, 1), theirs);
+        std::printf("; equal node ids: %.3f %%", 100 * ids);
+        demand(ids >= 0.999, "node ids of the generated and the hand-written shader");
+    }
+    std::printf("\n");
 }
 
 void print_ratio(const char* what, const std::pair<Times, Times>& times, double limit)
 {
-    double ratio = times.first.minimum / times.second.minimum;
+    const auto& [ours, theirs] = times;
+    double ratio = ours.minimum / theirs.minimum;
     std::printf(
-        "%-8s generated %8.1f ms (median %8.1f), hand-written %8.1f ms (median %8.1f): %.2fx, median %.2fx (<= %.1fx): "
+        "  %-6s generated %7.1f ms (median %7.1f)   by hand %7.1f ms (median %7.1f)   %.2fx, median %.2fx (<= %.1fx): "
         "%s\n",
-        what, 1e3 * times.first.minimum, 1e3 * times.first.median, 1e3 * times.second.minimum,
-        1e3 * times.second.median, ratio, times.first.median / times.second.median, limit, verdict(ratio <= limit));
+        what, 1e3 * ours.minimum, 1e3 * ours.median, 1e3 * theirs.minimum, 1e3 * theirs.median, ratio,
+        ours.median / theirs.median, limit, verdict(ratio <= limit));
+}
+
+struct Rival {
+    const char* title;
+    std::string text;
+    bool with_ids;
+};
+
+void compare(const Canvas& canvas, const graph::Program& program, const std::string& generated_text, const Rival& rival)
+{
+    std::printf("against %s: ", rival.title);
+    renderer::Shader generated(generated_text), hand(rival.text);
+    canvas.set_uniforms(generated, program);
+    canvas.set_uniforms(hand, program);
+    compare_pictures(canvas, generated, hand, rival.with_ids);
+    print_ratio("ready",
+                interleaved([&] { return canvas.ready_seconds(generated_text, program); },
+                            [&] { return canvas.ready_seconds(rival.text, program); }),
+                0.6);
+    print_ratio(
+        "frame",
+        interleaved([&] { return canvas.frame_seconds(generated); }, [&] { return canvas.frame_seconds(hand); }), 1.1);
 }
 
 int run()
@@ -225,27 +274,16 @@ int run()
     graph::Program program = graph::lower(document, library);
     demand(program.problems.empty(), "the scene lowers without problems");
     std::vector<float> block = field::evaluate_frame(program, 0);
-    std::string generated_text = codegen::print_fragment_shader(program, block, codegen::Placement::literals);
-    std::string hand_text = hand_written_shader(scene, document);
+    std::string generated = codegen::print_fragment_shader(program, block, codegen::Placement::literals);
+    Rival with_ids{"a shader by hand with the same buffers, colour and node id",
+                   hand_written_shader(scene, document, true), true};
+    Rival colour_only{"a shader by hand that gives the colour only", hand_written_shader(scene, document, false),
+                      false};
 
     Canvas canvas;
-    renderer::Shader generated(generated_text), hand(hand_text);
-    canvas.set_uniforms(generated, program);
-    canvas.set_uniforms(hand, program);
-    std::vector<glm::vec4> generated_colours = canvas.colours(generated), hand_colours = canvas.colours(hand);
-    double share = equal_share(generated_colours, hand_colours);
-    std::printf("csg(%d), %dx%d, %s: %.3f %% of pixels are equal within 2/255\n", primitives, width, height,
-                reinterpret_cast<const char*>(glGetString(GL_RENDERER)), 100 * share);
-    demand(shows_something(generated_colours) && share >= 0.999,
-           "pictures of the generated and the hand-written shader");
-
-    print_ratio("ready",
-                interleaved([&] { return canvas.ready_seconds(generated_text, program); },
-                            [&] { return canvas.ready_seconds(hand_text, program); }),
-                0.6);
-    print_ratio(
-        "frame",
-        interleaved([&] { return canvas.frame_seconds(generated); }, [&] { return canvas.frame_seconds(hand); }), 1.1);
+    std::printf("csg(%d), %dx%d, %s\n", primitives, width, height,
+                reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    for (const Rival& rival : {with_ids, colour_only}) compare(canvas, program, generated, rival);
     return 0;
 }
 

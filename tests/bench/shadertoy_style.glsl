@@ -1,6 +1,6 @@
 // Shadertoy style: how such a scene is written by hand: map() called from the march, the normal, the shadow and the
-// occlusion, each a loop that starts at ZERO so that no compiler unrolls it. The benchmark writes the SCENE.
-#version 330
+// occlusion, each a loop that starts at ZERO so that no compiler unrolls it. The benchmark writes the SCENE, and above
+// it whether map() gives the id of the nearest shape too, as a vec2, or the distance alone.
 
 uniform vec2 resolution;
 uniform int frame;
@@ -39,25 +39,60 @@ float sdCappedCylinder(vec3 p, float r, float h)
     return min(max(d.x, d.y), 0.0) + length(max(d, 0.0));
 }
 
-float opSmoothUnion(float a, float b, float k)
+float sminDistance(float a, float b, float k)
 {
     float h = max(k - abs(a - b), 0.0) / k;
     return min(a, b) - h * h * k * 0.25;
 }
 
+#if WITH_IDS
+
+#define Found vec2
+#define DISTANCE(found) (found).x
+#define ID(found) (found).y
+#define SHAPE(distance, id) vec2(distance, id)
+
+vec2 opUnion(vec2 a, vec2 b)
+{
+    return b.x < a.x ? b : a;
+}
+
+vec2 opSmoothUnion(vec2 a, vec2 b, float k)
+{
+    return vec2(sminDistance(a.x, b.x, k), b.x < a.x ? b.y : a.y);
+}
+
+vec2 opSubtraction(vec2 a, vec2 b)
+{
+    return vec2(max(a.x, -b.x), a.y);
+}
+
+#else
+
+#define Found float
+#define DISTANCE(found) (found)
+#define ID(found) 0.0
+#define SHAPE(distance, id) distance
+#define opUnion(a, b) min(a, b)
+#define opSmoothUnion(a, b, k) sminDistance(a, b, k)
+#define opSubtraction(a, b) max(a, -b)
+
+#endif
+
 // SCENE
 
-// Distance along the ray, or -1 when it leaves.
-float castRay(vec3 ro, vec3 rd, float tmin, float tmax)
+// x: distance along the ray, or -1 when it leaves. y: id of what it meets.
+vec2 castRay(vec3 ro, vec3 rd, float tmin, float tmax)
 {
     float t = tmin;
     for (int i = ZERO; i < STEPS; i++) {
-        float h = map(ro + rd * t);
-        if (h < TOLERANCE) return t + clamp(h, -MIN_STEP, 0.0);
+        Found found = map(ro + rd * t);
+        float h = DISTANCE(found);
+        if (h < TOLERANCE) return vec2(t + clamp(h, -MIN_STEP, 0.0), ID(found));
         t += max(h, MIN_STEP);
         if (t >= tmax) break;
     }
-    return -1.0;
+    return vec2(-1.0, 0.0);
 }
 
 // Four taps on a tetrahedron; not of unit length.
@@ -67,7 +102,7 @@ vec3 calcGradient(vec3 pos, float t)
     vec3 n = vec3(0.0);
     for (int i = ZERO; i < 4; i++) {
         vec3 corner = 2.0 * vec3(((i + 3) >> 1) & 1, (i >> 1) & 1, i & 1) - 1.0;
-        n += corner * map(pos + e * corner);
+        n += corner * DISTANCE(map(pos + e * corner));
     }
     return n / (4.0 * e);
 }
@@ -76,7 +111,7 @@ float calcShadow(vec3 pos, vec3 nor)
 {
     if (dot(nor, SUN) <= 0.0) return 0.0;
     float offset = 4.0 * TOLERANCE + 2.0 * MIN_STEP;
-    return castRay(pos + offset * nor, SUN, 0.0, FAR) < 0.0 ? 1.0 : 0.0;
+    return castRay(pos + offset * nor, SUN, 0.0, FAR).x < 0.0 ? 1.0 : 0.0;
 }
 
 float calcOcclusion(vec3 pos, vec3 nor, float slope)
@@ -84,7 +119,7 @@ float calcOcclusion(vec3 pos, vec3 nor, float slope)
     float open = 1.0;
     for (int i = ZERO; i < 5; i++) {
         float h = OCCLUSION_RADIUS * float(i + 1) / 5.0;
-        float d = map(pos + h * nor);
+        float d = DISTANCE(map(pos + h * nor));
         open -= 0.2 * (1.0 - clamp(d / (h * clamp(slope, 0.1, 1.0)), 0.0, 1.0));
     }
     return open;
@@ -92,15 +127,17 @@ float calcOcclusion(vec3 pos, vec3 nor, float slope)
 
 vec3 sky(vec3 rd)
 {
-    float above = sqrt(clamp(rd.y, 0.0, 1.0));
-    float below = sqrt(clamp(-rd.y, 0.0, 1.0));
+    float above = smoothstep(0.0, 0.7, rd.y);
+    float below = smoothstep(0.0, 0.5, -rd.y);
     return mix(mix(HORIZON, ZENITH, above), GROUND, below);
 }
 
-vec3 render(vec3 ro, vec3 rd)
+// Colour, and the id in w.
+vec4 render(vec3 ro, vec3 rd)
 {
-    float t = castRay(ro, rd, NEAR, FAR);
-    if (t < 0.0) return sky(rd);
+    vec2 res = castRay(ro, rd, NEAR, FAR);
+    float t = res.x;
+    if (t < 0.0) return vec4(sky(rd), 0.0);
     vec3 pos = ro + t * rd;
     vec3 gradient = calcGradient(pos, t);
     vec3 nor = normalize(gradient);
@@ -108,7 +145,8 @@ vec3 render(vec3 ro, vec3 rd)
     float shadow = calcShadow(pos, nor);
     float diffuse = max(dot(nor, SUN), 0.0);
     float highlight = pow(clamp(dot(reflect(-SUN, nor), -rd), 0.0001, 1.0), SHININESS);
-    return occlusion * ALBEDO * sky(nor) + shadow * SUN_COLOUR * (ALBEDO * diffuse + SPECULAR * highlight);
+    vec3 col = 0.5 * occlusion * ALBEDO * sky(nor) + shadow * SUN_COLOUR * (ALBEDO * diffuse + SPECULAR * highlight);
+    return vec4(col, res.y);
 }
 
 void main()
@@ -118,5 +156,5 @@ void main()
     vec3 uu = normalize(cross(ww, vec3(0.0, 1.0, 0.0)));
     vec3 vv = cross(uu, ww);
     vec3 rd = normalize(ww + SLOPE * (p.x * uu + p.y * vv));
-    colour_out = vec4(render(EYE, rd), 1.0);
+    colour_out = render(EYE, rd);
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,20 @@ double seconds_of(const Work& work)
     auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Of the calling thread's processor time: what else runs on the machine does not count.
+template <typename Work>
+double processor_seconds_of(const Work& work)
+{
+    auto now = [] {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    };
+    double start = now();
+    work();
+    return now() - start;
 }
 
 inline Times summary(std::vector<double> seconds)

@@ -5,9 +5,9 @@
 #include "tests/support/random.h"
 #include "tests/support/starter.h"
 
+#include <gtest/gtest.h>
 #include <chrono>
 #include <fstream>
-#include <gtest/gtest.h>
 #include <sstream>
 
 namespace fieldwright::tests {
@@ -162,7 +162,9 @@ int call_depth(const graph::Program& program, std::string_view function)
         if (call.is_block()) continue;
         int inner = 0;
         for (std::int32_t k = 0; k < call.argument_count; ++k)
-            inner = std::max(inner, depth[static_cast<std::size_t>(program.arguments[static_cast<std::size_t>(call.first_argument + k)])]);
+            inner = std::max(
+                inner,
+                depth[static_cast<std::size_t>(program.arguments[static_cast<std::size_t>(call.first_argument + k)])]);
         int here = inner + (call.function->name == function ? 1 : 0);
         depth[static_cast<std::size_t>(call.result)] = here;
         deepest = std::max(deepest, here);
@@ -189,8 +191,10 @@ TEST(Text, makes_a_chain_of_a_thousand_unions_shallow)
     }
 }
 
-constexpr const char* hostile_names[] = {"*/ #define float vec3", "// \\", "gl_Position", "main", "sphere_distance", "__x__",
-                                         "\"; discard; //", "n1_2", "p", "void", "snow\xe2\x98\x83man", "int", "scene_distance"};
+constexpr const char* hostile_names[] = {
+    "*/ #define float vec3", "// \\", "gl_Position", "main", "sphere_distance",     "__x__",
+    "\"; discard; //",       "n1_2",  "p",           "void", "snow\xe2\x98\x83man", "int",
+    "scene_distance"};
 
 TEST(Text, holds_no_words_of_the_user)
 {
@@ -216,7 +220,8 @@ TEST(Text, compiles_as_a_shader_and_as_every_export_for_every_type)
     std::vector<std::string> shaders;
     for (const graph::NodeType* type : library->types()) {
         Scene scene = Starter(*type, library).scene;
-        for (Placement placement : {Placement::literals, Placement::buffer}) shaders.push_back(fragment(scene, placement));
+        for (Placement placement : {Placement::literals, Placement::buffer})
+            shaders.push_back(fragment(scene, placement));
         shaders.push_back(exported(scene, "glsl"));
         shaders.push_back(in_shadertoy_wrapper(exported(scene, "shadertoy")));
     }

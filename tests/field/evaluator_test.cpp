@@ -109,7 +109,7 @@ TEST(Evaluator, RowsAreReusedOnlyWhenTheirValueIsDead)
     }
     while (roots.size() > 1) {
         NodeId joined = scene.add("smooth_union", {{"a", roots[0]}, {"b", roots.back()}});
-        scene.set(joined, "k", 0.0f);
+        scene.set(joined, "smoothness", 0.0f);
         roots.erase(roots.begin());
         roots.back() = joined;
     }

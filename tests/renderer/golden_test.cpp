@@ -3,9 +3,9 @@
 #include "graph/scene_file.h"
 #include "tests/support/pictures.h"
 
+#include <gtest/gtest.h>
 #include <filesystem>
 #include <functional>
-#include <gtest/gtest.h>
 #include <map>
 
 namespace fieldwright::tests {
@@ -43,7 +43,8 @@ NodeId red_ball(Scene& s)
 
 NodeId blue_box(Scene& s)
 {
-    NodeId box = wired(s, "translate", s.node("box", {{"half_size", vec3(0.6f, 0.5f, 0.6f)}}), {{"offset", vec3(0.3f, -0.2f, 0)}});
+    NodeId box = wired(s, "translate", s.node("box", {{"half_size", vec3(0.6f, 0.5f, 0.6f)}}),
+                       {{"offset", vec3(0.3f, -0.2f, 0)}});
     return painted(s, box, {0.05f, 0.2f, 0.8f});
 }
 
@@ -84,7 +85,8 @@ const std::map<std::string, Make>& scenes()
             if (type->category == "primitive") made[type->name] = alone(name);
             else if (type->category == "shape2d") made[type->name] = extruded(name);
             else if (type->category == "combine") made[type->name] = combined(name);
-            else if (type->category == "domain" && type->output == graph::SocketKind::field2d) made[type->name] = applied_flat(name);
+            else if (type->category == "domain" && type->output == graph::SocketKind::field2d)
+                made[type->name] = applied_flat(name);
             else if (type->category == "domain" || type->category == "modify") made[type->name] = applied(name);
         }
         made["revolve"] = [](Scene& s) { return wired(s, "revolve", s.node("rectangle")); };
@@ -95,12 +97,16 @@ const std::map<std::string, Make>& scenes()
     return table;
 }
 
-std::filesystem::path golden(const std::string& title) { return std::filesystem::path(FIELDWRIGHT_SOURCE_DIR) / "tests/goldens" / (title + ".png"); }
+std::filesystem::path golden(const std::string& title)
+{
+    return std::filesystem::path(FIELDWRIGHT_SOURCE_DIR) / "tests/goldens" / (title + ".png");
+}
 
 void compare(const std::string& title, const renderer::Picture& drawn)
 {
     if (std::getenv("FIELDWRIGHT_WRITE_GOLDENS")) return renderer::write_png(golden(title), drawn);
-    ASSERT_TRUE(std::filesystem::exists(golden(title))) << title << ": draw it with FIELDWRIGHT_WRITE_GOLDENS=1 and look at it";
+    ASSERT_TRUE(std::filesystem::exists(golden(title)))
+        << title << ": draw it with FIELDWRIGHT_WRITE_GOLDENS=1 and look at it";
     EXPECT_LE(share_apart(drawn, renderer::read_png(golden(title))), 0.001) << title;
 }
 
@@ -108,8 +114,8 @@ Scene composed(const Make& make)
 {
     Scene s;
     NodeId output = s.show(make(s));
-    s.wire(s.node("perspective", {{"position", vec3(2.6f, 2.0f, 4.0f)}, {"target", vec3(0)}}), output, "camera");
-    s.wire(s.node("gradient"), output, "sky");
+    s.wire(s.node("perspective", {{"position", vec3(2.0f, 1.6f, 3.1f)}, {"target", vec3(0)}}), output, "camera");
+    s.wire(s.node("gradient", {{"ground", vec3(0.02f, 0.02f, 0.03f)}}), output, "sky");
     s.node("sun");
     return s;
 }
@@ -122,7 +128,8 @@ TEST(Goldens, of_every_field_type)
 TEST(Goldens, of_every_view)
 {
     Scene scene = composed(combined("smooth_union"));
-    for (const std::string& view : renderer::view_names()) compare("view_" + view, picture_of(scene, *renderer::view_from_name(view)));
+    for (const std::string& view : renderer::view_names())
+        compare("view_" + view, picture_of(scene, *renderer::view_from_name(view)));
 }
 
 TEST(Goldens, of_every_light_and_camera)

@@ -28,8 +28,14 @@ NodeId moved(Scene& scene, NodeId field, float x, float y, float z)
 
 // Three shapes that overlap.
 NodeId left_ball(Scene& scene) { return moved(scene, scene.node("sphere", {{"radius", 0.8f}}), -0.6f, 0.1f, 0.2f); }
-NodeId block(Scene& scene) { return moved(scene, scene.node("box", {{"half_size", glm::vec3(0.55f, 0.4f, 0.45f)}}), 0.3f, -0.2f, 0); }
-NodeId ring(Scene& scene) { return moved(scene, scene.node("torus", {{"major", 0.9f}, {"minor", 0.2f}}), 0.1f, 0.4f, 0.1f); }
+NodeId block(Scene& scene)
+{
+    return moved(scene, scene.node("box", {{"half_size", glm::vec3(0.55f, 0.4f, 0.45f)}}), 0.3f, -0.2f, 0);
+}
+NodeId ring(Scene& scene)
+{
+    return moved(scene, scene.node("torus", {{"major", 0.9f}, {"minor", 0.2f}}), 0.1f, 0.4f, 0.1f);
+}
 
 NodeId pair(Scene& scene, std::string_view type, NodeId a, NodeId b) { return scene.node(type, {{"a", a}, {"b", b}}); }
 
@@ -39,7 +45,10 @@ void expect_same(const Scene& one, const Scene& other)
     EXPECT_TRUE(first.rgb == second.rgb) << "apart: " << share_apart(first, second);
 }
 
-void expect_alike(const Scene& one, const Scene& other) { EXPECT_LE(share_apart(picture_of(one), picture_of(other)), 0.001); }
+void expect_alike(const Scene& one, const Scene& other)
+{
+    EXPECT_LE(share_apart(picture_of(one), picture_of(other)), 0.001);
+}
 
 TEST(Metamorphic, the_scene_of_these_tests_shows_something)
 {
@@ -89,7 +98,9 @@ TEST(Metamorphic, subtracting_what_is_far_away_changes_nothing)
 
 TEST(Metamorphic, an_unconnected_side_changes_nothing)
 {
-    expect_same(lit([](Scene& s) { return block(s); }), lit([](Scene& s) { return s.node("smooth_union", {{"b", block(s)}}); }));
+    expect_same(lit([](Scene& s) { return block(s); }), lit([](Scene& s) {
+                    return s.node("smooth_union", {{"b", block(s)}});
+                }));
 }
 
 TEST(Metamorphic, translating_there_and_back_changes_nothing)
@@ -109,30 +120,41 @@ TEST(Metamorphic, rotating_there_and_back_changes_nothing)
 
 TEST(Metamorphic, rotating_all_the_way_changes_nothing)
 {
-    expect_alike(lit([](Scene& s) { return block(s); }),
-                 lit([](Scene& s) { return s.node("rotate", {{"d", block(s)}, {"angles", glm::vec3(0, 0, 360.0f)}}); }));
+    expect_alike(lit([](Scene& s) { return block(s); }), lit([](Scene& s) {
+                     return s.node("rotate", {{"d", block(s)}, {"angles", glm::vec3(0, 0, 360.0f)}});
+                 }));
 }
 
 TEST(Metamorphic, scaling_there_and_back_changes_nothing)
 {
-    auto scaled = [](Scene& s, NodeId field, float factor) { return s.node("scale", {{"d", field}, {"factor", factor}}); };
-    expect_alike(lit([](Scene& s) { return ring(s); }), lit([&](Scene& s) { return scaled(s, scaled(s, ring(s), 2.5f), 0.4f); }));
+    auto scaled = [](Scene& s, NodeId field, float factor) {
+        return s.node("scale", {{"d", field}, {"factor", factor}});
+    };
+    expect_alike(lit([](Scene& s) { return ring(s); }),
+                 lit([&](Scene& s) { return scaled(s, scaled(s, ring(s), 2.5f), 0.4f); }));
 }
 
 TEST(Metamorphic, a_scaled_sphere_is_a_larger_sphere)
 {
-    expect_alike(lit([](Scene& s) { return s.node("sphere", {{"radius", 1.0f}}); }),
-                 lit([](Scene& s) { return s.node("scale", {{"d", s.node("sphere", {{"radius", 0.5f}})}, {"factor", 2.0f}}); }));
+    expect_alike(lit([](Scene& s) {
+                     return s.node("sphere", {{"radius", 1.0f}});
+                 }),
+                 lit([](Scene& s) {
+                     return s.node("scale", {{"d", s.node("sphere", {{"radius", 0.5f}})}, {"factor", 2.0f}});
+                 }));
 }
 
 TEST(Metamorphic, rounding_by_nothing_changes_nothing)
 {
-    expect_same(lit([](Scene& s) { return block(s); }), lit([](Scene& s) { return s.node("round", {{"d", block(s)}, {"radius", 0.0f}}); }));
+    expect_same(lit([](Scene& s) { return block(s); }), lit([](Scene& s) {
+                    return s.node("round", {{"d", block(s)}, {"radius", 0.0f}});
+                }));
 }
 
 TEST(Metamorphic, smoothing_by_almost_nothing_is_hard)
 {
-    for (auto [hard, smooth] : {std::pair("union", "smooth_union"), std::pair("subtract", "smooth_subtract"), std::pair("intersect", "smooth_intersect")}) {
+    for (auto [hard, smooth] : {std::pair("union", "smooth_union"), std::pair("subtract", "smooth_subtract"),
+                                std::pair("intersect", "smooth_intersect")}) {
         Scene soft;
         const graph::Parameter& width = *soft.library->type(smooth)->parameter("smoothness");
         float smallest = std::max(1e-5f, static_cast<float>(width.minimum));
@@ -154,14 +176,14 @@ TEST(Metamorphic, muting_is_bypassing)
 
 TEST(Metamorphic, saving_and_opening_changes_nothing)
 {
-    Scene saved = lit([](Scene& s) { return pair(s, "smooth_union", left_ball(s), ring(s)); }), opened = saved;
+    Scene saved = lit([](Scene&s) { return pair(s, "smooth_union", left_ball(s), ring(s)); }), opened = saved;
     opened.document = graph::read_scene(graph::write_scene(saved.document, *saved.library), *saved.library);
     expect_same(saved, opened);
 }
 
 TEST(Metamorphic, undo_and_redo_change_nothing)
 {
-    Scene before = lit([](Scene& s) { return pair(s, "union", left_ball(s), block(s)); }), after = before;
+    Scene before = lit([](Scene&s) { return pair(s, "union", left_ball(s), block(s)); }), after = before;
     after.show(ring(after));
     graph::History history(before.document);
     history.record(after.document, "show the ring");
@@ -180,7 +202,8 @@ TEST(Metamorphic, the_gpu_draws_the_same_pairs)
     renderer::GpuDevice gpu;
     auto draw = [&](const Scene& scene) {
         renderer::FrameRequest request{.width = picture_side, .height = picture_side, .time = 0.6f};
-        return renderer::picture(gpu.render(scene.program(), request), renderer::View::beauty, scene.document.march.step_limit);
+        return renderer::picture(gpu.render(scene.program(), request), renderer::View::beauty,
+                                 scene.document.march.step_limit);
     };
     Scene one = lit([](Scene& s) { return pair(s, "union", left_ball(s), block(s)); });
     Scene other = lit([](Scene& s) { return pair(s, "union", block(s), left_ball(s)); });

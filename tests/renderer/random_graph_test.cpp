@@ -5,8 +5,8 @@
 #include "tests/support/fields.h"
 #include "tests/support/glslang.h"
 
-#include <cstdlib>
 #include <gtest/gtest.h>
+#include <cstdlib>
 
 namespace fieldwright::tests {
 namespace {

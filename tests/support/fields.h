@@ -15,7 +15,10 @@ struct Field {
     }
 
     std::vector<float> at(std::span<const glm::vec3> points) const { return field::distances(program, block, points); }
-    float lipschitz() const { return program.lipschitz == graph::no_value ? 1.0f : std::max(1.0f, lane(program.lipschitz, 0)); }
+    float lipschitz() const
+    {
+        return program.lipschitz == graph::no_value ? 1.0f : std::max(1.0f, lane(program.lipschitz, 0));
+    }
     float lane(graph::ValueId value, int lane) const
     {
         return block[static_cast<std::size_t>(program.values[static_cast<std::size_t>(value)].slot + lane)];
@@ -33,7 +36,8 @@ inline std::vector<glm::vec3> sample_points(Random& random, std::size_t count)
     while (points.size() < count) {
         glm::vec3 p = random.in_cube(random.chance(0.5f) ? 1.5f : 4.0f);
         if (random.chance(0.15f)) p[random.below(3)] = random.between(-1e-3f, 1e-3f);
-        if (random.chance(0.15f)) p[random.below(3)] = 0.5f * static_cast<float>(random.below(9) - 4) + random.between(-1e-3f, 1e-3f);
+        if (random.chance(0.15f))
+            p[random.below(3)] = 0.5f * static_cast<float>(random.below(9) - 4) + random.between(-1e-3f, 1e-3f);
         points.push_back(p);
     }
     return points;
@@ -88,8 +92,9 @@ inline Agreement compare_machines(const Field& field, std::span<const glm::vec3>
         if (!(difference <= worst)) {
             worst = difference;
             const glm::vec3& p = points[i];
-            agreement.worst = "at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + "): cpu " +
-                              std::to_string(cpu[i]) + ", gpu " + std::to_string(gpu[i]) + ", allowed " + std::to_string(tolerance);
+            agreement.worst = "at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) +
+                              "): cpu " + std::to_string(cpu[i]) + ", gpu " + std::to_string(gpu[i]) + ", allowed " +
+                              std::to_string(tolerance);
         }
     }
     return agreement;

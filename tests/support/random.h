@@ -50,7 +50,8 @@ inline float random_component(Random& random, const graph::Parameter& parameter,
     double reach = angle ? 180 : std::max(2.0, 3 * std::abs(static_cast<double>(initial)));
     auto low = static_cast<float>(std::max(parameter.soft_minimum, initial - reach));
     auto high = static_cast<float>(std::min(parameter.soft_maximum, initial + reach));
-    return std::clamp(random.between(low, high), static_cast<float>(parameter.minimum), static_cast<float>(parameter.maximum));
+    return std::clamp(random.between(low, high), static_cast<float>(parameter.minimum),
+                      static_cast<float>(parameter.maximum));
 }
 
 inline graph::Value random_value(Random& random, const graph::Parameter& parameter)
@@ -60,7 +61,8 @@ inline graph::Value random_value(Random& random, const graph::Parameter& paramet
     if (auto* flag = std::get_if<bool>(&value)) *flag = random.chance(0.5f);
     else if (auto* number = std::get_if<float>(&value)) *number = component(*number);
     else if (auto* pair = std::get_if<glm::vec2>(&value)) *pair = {component(pair->x), component(pair->y)};
-    else if (auto* triple = std::get_if<glm::vec3>(&value)) *triple = {component(triple->x), component(triple->y), component(triple->z)};
+    else if (auto* triple = std::get_if<glm::vec3>(&value))
+        *triple = {component(triple->x), component(triple->y), component(triple->z)};
     else if (auto* word = std::get_if<std::string>(&value)) *word = random.pick(parameter.choices);
     else if (auto* whole = std::get_if<int>(&value)) {
         auto low = static_cast<int>(std::max(parameter.soft_minimum, *whole - 4.0));
@@ -77,7 +79,8 @@ inline graph::Value random_value(Random& random, const graph::Parameter& paramet
 inline void set_random_parameters(Random& random, Scene& scene, NodeId id)
 {
     for (const graph::Parameter& parameter : scene.type(id).parameters)
-        if (parameter.kind != graph::ParameterKind::material) scene.set(id, parameter.name, random_value(random, parameter));
+        if (parameter.kind != graph::ParameterKind::material)
+            scene.set(id, parameter.name, random_value(random, parameter));
 }
 
 // Grows one document from its output downwards.
@@ -126,7 +129,9 @@ private:
         NodeId id = add(type);
         for (const graph::Socket& socket : type.inputs) {
             if (!is_field(socket.kind) || (field_inputs(type) > 1 && random_.chance(0.05f))) continue;
-            int inner = socket.kind == graph::SocketKind::field_any ? dimension : socket.kind == graph::SocketKind::field2d ? 2 : 3;
+            int inner = socket.kind == graph::SocketKind::field_any ? dimension
+                        : socket.kind == graph::SocketKind::field2d ? 2
+                                                                    : 3;
             scene_.wire(field(inner, depth - 1, in_block || type.copies > 1), id, socket.name);
         }
         wire_others(id);
@@ -159,7 +164,8 @@ private:
     {
         using graph::SocketKind;
         bool vector = to == SocketKind::vec2 || to == SocketKind::vec3 || to == SocketKind::colour;
-        return from == to || (from == SocketKind::number && vector) || (from == SocketKind::vec3 && to == SocketKind::colour);
+        return from == to || (from == SocketKind::number && vector) ||
+               (from == SocketKind::vec3 && to == SocketKind::colour);
     }
 
     NodeId leaf_of(graph::SocketKind kind)
@@ -180,12 +186,15 @@ private:
 };
 
 // A valid document over all types of the library whose distance takes at most `cost_limit` primitives.
-inline Scene random_graph(std::uint64_t seed, const std::shared_ptr<const graph::Library>& library, std::int64_t cost_limit = 256)
+inline Scene random_graph(std::uint64_t seed, const std::shared_ptr<const graph::Library>& library,
+                          std::int64_t cost_limit = 128)
 {
-    for (int node_limit = 25;; node_limit = std::max(4, node_limit - 3)) {
+    for (int node_limit = 22;; node_limit = std::max(4, node_limit - 3)) {
         Scene scene = RandomGraph(seed, library, node_limit).take();
         graph::Program program = scene.program({.cost_limit = cost_limit});
-        auto is_error = [](const graph::Problem& problem) { return problem.severity == graph::Problem::Severity::error; };
+        auto is_error = [](const graph::Problem& problem) {
+            return problem.severity == graph::Problem::Severity::error;
+        };
         if (std::none_of(program.problems.begin(), program.problems.end(), is_error)) return scene;
         seed += 1u << 20;
     }

@@ -16,7 +16,9 @@ public:
     // A socket's source or a parameter's value.
     using Setting = std::pair<std::string_view, std::variant<NodeId, graph::Value>>;
 
-    explicit Scene(std::shared_ptr<const graph::Library> from = graph::Library::embedded()) : library(std::move(from)) {}
+    explicit Scene(std::shared_ptr<const graph::Library> from = graph::Library::embedded()) : library(std::move(from))
+    {
+    }
 
     NodeId node(std::string_view type, std::initializer_list<Setting> settings = {})
     {
@@ -47,7 +49,10 @@ public:
         return output_;
     }
 
-    graph::Program program(const graph::LowerOptions& options = {}) const { return graph::lower(document, library, options); }
+    graph::Program program(const graph::LowerOptions& options = {}) const
+    {
+        return graph::lower(document, library, options);
+    }
 
     const graph::NodeType& type(NodeId id) const { return *library->type(document.root.find(id)->type); }
 
@@ -65,7 +70,8 @@ private:
 
 inline bool is_field(graph::SocketKind kind)
 {
-    return kind == graph::SocketKind::field2d || kind == graph::SocketKind::field3d || kind == graph::SocketKind::field_any;
+    return kind == graph::SocketKind::field2d || kind == graph::SocketKind::field3d ||
+           kind == graph::SocketKind::field_any;
 }
 
 }  // namespace fieldwright::tests

@@ -8,7 +8,8 @@ namespace fieldwright::tests {
 class Starter {
 public:
     // With a random source, the parameters of the subject and its children are random.
-    explicit Starter(const graph::NodeType& type, std::shared_ptr<const graph::Library> library, Random* random = nullptr)
+    explicit Starter(const graph::NodeType& type, std::shared_ptr<const graph::Library> library,
+                     Random* random = nullptr)
         : scene(std::move(library)), random_(random)
     {
         bool is_output = type.category == "output";
@@ -39,7 +40,7 @@ private:
     {
         bool first = count_++ % 2 == 0;
         if (dimension == 2) return add(first ? "rectangle" : "circle");
-        return add(first ? "box" : "sphere");
+        return add(first ? "box" : "capsule");
     }
 
     void fill_inputs(NodeId id)
@@ -54,7 +55,8 @@ private:
         if (output == Kind::field2d) return scene.node("extrude", {{"d", subject}});
         if (is_field(output)) return subject;
         NodeId field = child(3);
-        if (output == Kind::material || output == Kind::number || output == Kind::vec2 || output == Kind::vec3 || output == Kind::colour)
+        if (output == Kind::material || output == Kind::number || output == Kind::vec2 || output == Kind::vec3 ||
+            output == Kind::colour)
             return user_of(output, field);
         return field;
     }
@@ -87,7 +89,8 @@ private:
     static bool gives_space(const graph::NodeType& type)
     {
         return type.category != "output" && (type.output == Kind::field3d || type.output == Kind::field_any) &&
-               std::none_of(type.inputs.begin(), type.inputs.end(), [](const graph::Socket& socket) { return socket.kind == Kind::field2d; });
+               std::none_of(type.inputs.begin(), type.inputs.end(),
+                            [](const graph::Socket& socket) { return socket.kind == Kind::field2d; });
     }
 
     Random* random_;
