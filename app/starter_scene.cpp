@@ -40,7 +40,9 @@ StarterScene::StarterScene(std::shared_ptr<const graph::Library> library, const 
     output_ = type.category == "output" ? shown_ : place("output");
     camera_ = type.output == SocketKind::camera ? shown_ : place("perspective");
     NodeId sky = type.output == SocketKind::sky ? shown_ : place("gradient");
-    if (type.output != SocketKind::light) place("sun");
+    if (sky != shown_) set(sky, "strength", 0.7f);
+    // The camera stands to the right: light from the left gives the subject a lit and a shaded side.
+    if (type.output != SocketKind::light) set(place("sun"), "azimuth", -35.0f);
     wire(root, output_, "d");
     wire(camera_, output_, "camera");
     wire(sky, output_, "sky");

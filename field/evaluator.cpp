@@ -3,383 +3,509 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cassert>
+#include <unordered_map>
 
 namespace fieldwright::field {
 namespace {
 
 using graph::Instruction;
 using graph::Program;
-using graph::Rate;
 using graph::ValueId;
 
-constexpr int max_arguments = 32;
+constexpr std::size_t max_arguments = 32;
 
-const KernelEntry& kernel_of(const KernelTable& table, const Instruction& instruction)
+std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
+
+const graph::ProgramValue& value_of(const Program& program, ValueId id) { return program.values[index(id)]; }
+
+std::span<const ValueId> arguments_of(const Program& program, const Instruction& instruction)
+{
+    return std::span(program.arguments).subspan(index(instruction.first_argument), index(instruction.argument_count));
+}
+
+std::span<const graph::Carried> carried_of(const Program& program, const Instruction& block)
+{
+    return std::span(program.carried).subspan(index(block.first_carried), index(block.carried_count));
+}
+
+// Kernels are made of the texts built in: a function of the same name in an edited file is another one.
+bool is_built_in(const Program& program, const graph::Function& function)
+{
+    auto built_in = graph::embedded_texts().find(function.file);
+    return built_in != graph::embedded_texts().end() && built_in->second == program.library->text(function.file);
+}
+
+const KernelEntry& kernel_of(const KernelTable& table, const Program& program, const Instruction& instruction)
 {
     const KernelEntry* kernel = find_kernel(table, instruction.function->name);
-    if (!kernel)
+    if (!kernel || !is_built_in(program, *instruction.function))
         throw graph::Failure(1, "node " + std::to_string(instruction.node.number) + " (" + instruction.function->name +
                                     ") is not compiled into this program; render it with --device gpu or rebuild");
     return *kernel;
 }
 
-// Arguments that a kernel's uniform form reads as single values.
+// Arguments that a kernel's uniform form reads as single values. The kernel generator has the same rule.
 bool is_single(const graph::Function& function, const graph::Argument& argument)
 {
     bool of_node = function.file.starts_with("nodes/");
-    return of_node && (argument.parameter >= 0 || argument.role == graph::Role::copy || argument.role == graph::Role::time);
+    return of_node &&
+           (argument.parameter >= 0 || argument.role == graph::Role::copy || argument.role == graph::Role::time);
 }
+
+// Looks each function up once.
+class KernelFinder {
+public:
+    KernelFinder(const KernelTable& table, const Program& program) : table_(table), program_(program) {}
+
+    const KernelEntry& operator()(const Instruction& instruction)
+    {
+        auto [found, added] = found_.try_emplace(instruction.function, nullptr);
+        if (added) found->second = &kernel_of(table_, program_, instruction);
+        return *found->second;
+    }
+
+private:
+    const KernelTable& table_;
+    const Program& program_;
+    std::unordered_map<const graph::Function*, const KernelEntry*> found_;
+};
 
 }  // namespace
 
 class Evaluator::Compiler {
 public:
     Compiler(Evaluator& evaluator, const Program& program, const graph::Entry& entry, const KernelTable& table)
-        : evaluator_(evaluator), program_(program), entry_(entry), table_(table), row_of_(program.values.size(), -1)
+        : evaluator_(evaluator),
+          program_(program),
+          entry_(entry),
+          kernel_of_(table, program),
+          values_(program.values.size())
     {
     }
 
     void compile()
     {
-        for (ValueId input : entry_.inputs) {
-            row_of_[index(input)] = take(value(input).lanes);
-            evaluator_.input_lanes_ += value(input).lanes;
-        }
+        list_steps();
         find_last_uses();
-        emit(entry_.first, entry_.last);
-        for (ValueId result : entry_.results)
-            for (int lane = 0; lane < value(result).lanes; ++lane) evaluator_.results_.push_back(result_operand(result, lane));
-        spread_results();
+        for (ValueId input : entry_.inputs) {
+            take_rows(input);
+            evaluator_.input_lanes_ += value_of(program_, input).lanes;
+        }
+        for (std::size_t step = 0; step < steps_.size(); ++step) {
+            emit(steps_[step]);
+            release_after(static_cast<int>(step));
+        }
+        emit_results();
     }
 
 private:
-    static std::size_t index(ValueId id) { return static_cast<std::size_t>(id); }
-    const graph::ProgramValue& value(ValueId id) const { return program_.values[index(id)]; }
-    bool in_block(ValueId id) const { return value(id).rate != Rate::point; }
+    // The order in which instructions run, ends of blocks included: the time in which values live.
+    struct Step {
+        enum class Kind { call, begin_block, end_block } kind;
+        const Instruction* instruction;
+    };
+    struct Life {
+        int row = -1;                           // first row, while the value has rows
+        int counter = -1;                       // of a block's copy value
+        int born = -1;                          // step
+        int last_use = -1;                      // step after which the rows are free
+        ValueId next_to_die = graph::no_value;  // others of the same last step
+    };
 
-    // Rows are taken first fit from those free.
-    int take(int lanes)
-    {
-        auto& free = free_[static_cast<std::size_t>(std::min(lanes, 32))];
-        if (!free.empty()) {
-            int row = free.back();
-            free.pop_back();
-            return row;
-        }
-        int row = evaluator_.row_count_;
-        evaluator_.row_count_ += lanes;
-        return row;
-    }
+    Life& life(ValueId id) { return values_[index(id)]; }
+    int lanes(ValueId id) const { return value_of(program_, id).lanes; }
+    bool in_block(ValueId id) const { return value_of(program_, id).rate != graph::Rate::point; }
+    bool has_rows(ValueId id) { return !in_block(id) && life(id).counter < 0; }
 
-    void release(ValueId id)
+    void list_steps()
     {
-        free_[static_cast<std::size_t>(std::min(value(id).lanes, 32))].push_back(row_of_[index(id)]);
-        row_of_[index(id)] = -1;
-    }
-
-    // last_use_: the instruction after which a value's rows may be reused; a value from outside a block lives to its end.
-    void find_last_uses()
-    {
-        last_use_.assign(program_.values.size(), -1);
-        defined_.assign(program_.values.size(), entry_.first - 1);
         std::vector<std::int32_t> open;  // blocks around the instruction
         for (std::int32_t i = entry_.first; i < entry_.last; ++i) {
-            while (!open.empty() && program_.instructions[index(open.back())].body_end <= i) open.pop_back();
+            end_blocks_at(i, open);
             const Instruction& instruction = program_.instructions[index(i)];
-            for (std::int32_t k = 0; k < instruction.argument_count; ++k)
-                use(program_.arguments[index(instruction.first_argument + k)], i, open);
-            if (instruction.is_block()) {
-                open.push_back(i);
-                for (std::int32_t k = 0; k < instruction.carried_count; ++k) {
-                    const graph::Carried& carried = program_.carried[index(instruction.first_carried + k)];
-                    defined_[index(carried.accumulator)] = i - 1;  // outside the body
-                    last_use_[index(carried.accumulator)] = instruction.body_end;
-                    last_use_[index(carried.next)] = instruction.body_end;
-                }
-            } else {
-                defined_[index(instruction.result)] = i;
+            steps_.push_back({instruction.is_block() ? Step::Kind::begin_block : Step::Kind::call, &instruction});
+            if (instruction.is_block()) open.push_back(i);
+        }
+        end_blocks_at(entry_.last, open);
+    }
+
+    void end_blocks_at(std::int32_t i, std::vector<std::int32_t>& open)
+    {
+        for (; !open.empty() && program_.instructions[index(open.back())].body_end <= i; open.pop_back())
+            steps_.push_back({Step::Kind::end_block, &program_.instructions[index(open.back())]});
+    }
+
+    // A value from outside a block that is used inside lives to the block's end: the body runs again.
+    void find_last_uses()
+    {
+        std::vector<int> open;  // steps at which the blocks around this one begin
+        std::vector<int> ends = block_ends();
+        auto use = [&](ValueId id, int step) {
+            auto outermost = std::upper_bound(open.begin(), open.end(), life(id).born);
+            int until = outermost == open.end() ? step : ends[index(*outermost)];
+            life(id).last_use = std::max(life(id).last_use, until);
+        };
+        for (int step = 0; step < static_cast<int>(steps_.size()); ++step) {
+            const Instruction& instruction = *steps_[index(step)].instruction;
+            switch (steps_[index(step)].kind) {
+                case Step::Kind::call:
+                    for (ValueId argument : arguments_of(program_, instruction)) use(argument, step);
+                    life(instruction.result).born = life(instruction.result).last_use = step;
+                    break;
+                case Step::Kind::begin_block:
+                    for (const graph::Carried& pair : carried_of(program_, instruction)) {
+                        use(pair.initial, step);
+                        life(pair.accumulator).born = step;
+                        life(pair.accumulator).last_use = ends[index(step)];
+                    }
+                    open.push_back(step);
+                    break;
+                case Step::Kind::end_block:
+                    for (const graph::Carried& pair : carried_of(program_, instruction)) use(pair.next, step);
+                    open.pop_back();
+                    break;
             }
         }
-        for (ValueId result : entry_.results) last_use_[index(result)] = std::numeric_limits<std::int32_t>::max();
-        for (ValueId input : entry_.inputs) last_use_[index(input)] = std::numeric_limits<std::int32_t>::max();
+        int never = static_cast<int>(steps_.size());
+        for (ValueId input : entry_.inputs) life(input).last_use = never;
+        for (ValueId result : entry_.results) life(result).last_use = never;
+        list_dying();
     }
 
-    void use(ValueId id, std::int32_t at, const std::vector<std::int32_t>& open)
+    // By step at which a block begins: the step of its end.
+    std::vector<int> block_ends() const
     {
-        std::int32_t until = at;
-        for (std::int32_t block : open)
-            if (defined_[index(id)] < block) {
-                until = program_.instructions[index(block)].body_end;
-                break;
-            }
-        last_use_[index(id)] = std::max(last_use_[index(id)], until);
+        std::vector<int> ends(steps_.size()), open;
+        for (std::size_t step = 0; step < steps_.size(); ++step) {
+            if (steps_[step].kind == Step::Kind::begin_block) open.push_back(static_cast<int>(step));
+            if (steps_[step].kind != Step::Kind::end_block) continue;
+            ends[index(open.back())] = static_cast<int>(step);
+            open.pop_back();
+        }
+        return ends;
     }
 
-    void emit(std::int32_t first, std::int32_t last)
+    void list_dying()
     {
-        for (std::int32_t i = first; i < last;) {
-            const Instruction& instruction = program_.instructions[index(i)];
-            if (instruction.is_block()) {
-                emit_block(i, instruction);
-                i = instruction.body_end;
-            } else {
-                emit_call(i, instruction);
-                ++i;
-            }
+        first_to_die_.assign(steps_.size() + 1, graph::no_value);
+        for (ValueId id = 0; id < static_cast<ValueId>(values_.size()); ++id) {
+            if (life(id).last_use < 0) continue;
+            ValueId& first = first_to_die_[index(life(id).last_use)];
+            life(id).next_to_die = first;
+            first = id;
         }
     }
 
-    void emit_call(std::int32_t at, const Instruction& instruction)
+    void release_after(int step)
     {
-        const graph::Function& function = *instruction.function;
-        const KernelEntry& kernel = kernel_of(table_, instruction);
-        bool varying = kernel.uniform == kernel.varying;
-        for (std::int32_t k = 0; k < instruction.argument_count; ++k) {
-            ValueId id = program_.arguments[index(instruction.first_argument + k)];
-            bool rows = !in_block(id) && !counters_.contains(id);
-            varying = varying || (rows && is_single(function, function.arguments[index(k)]));
+        for (ValueId id = first_to_die_[index(step)]; id != graph::no_value; id = life(id).next_to_die) {
+            if (life(id).row < 0) continue;
+            free_rows(lanes(id)).push_back(life(id).row);
+            life(id).row = -1;
         }
-        Operation operation;
-        operation.kernel = varying ? kernel.varying : kernel.uniform;
-        operation.first_operand = static_cast<int>(evaluator_.operands_.size());
-        operation.operand_count = instruction.argument_count;
-        for (std::int32_t k = 0; k < instruction.argument_count; ++k) {
-            const graph::Argument& argument = function.arguments[index(k)];
-            bool single = argument.type.base == graph::BaseType::list || (!varying && is_single(function, argument));
-            evaluator_.operands_.push_back(operand(program_.arguments[index(instruction.first_argument + k)], single));
-        }
-        operation.result = take(value(instruction.result).lanes);
-        row_of_[index(instruction.result)] = operation.result;
-        evaluator_.operations_.push_back(operation);
-        scratch_in_use_.clear();
-        release_dead(at, instruction);
     }
 
-    Operand operand(ValueId id, bool single)
+    std::vector<int>& free_rows(int count)
     {
-        Operand operand{Operand::Kind::rows, 0, value(id).lanes, 0};
-        if (auto counter = counters_.find(id); counter != counters_.end()) {
-            operand.kind = single ? Operand::Kind::counter : Operand::Kind::counter_as_rows;
-            operand.at = counter->second;
-        } else if (in_block(id)) {
-            operand.kind = single ? Operand::Kind::block : Operand::Kind::block_as_rows;
-            operand.at = value(id).slot;
-        } else {
-            operand.at = row_of_[index(id)];
-        }
-        if (operand.kind == Operand::Kind::counter_as_rows || operand.kind == Operand::Kind::block_as_rows)
-            operand.scratch = scratch_rows(operand.lanes);
-        return operand;
+        if (free_.size() <= index(count)) free_.resize(index(count) + 1);
+        return free_[index(count)];
     }
 
-    // Rows that single values are spread over for one call: never among those the allocator hands out.
-    int scratch_rows(int lanes)
+    int new_rows(int count)
     {
-        for (const auto& [row, size] : scratch_pool_)
-            if (size == lanes && std::find(scratch_in_use_.begin(), scratch_in_use_.end(), row) == scratch_in_use_.end()) {
-                scratch_in_use_.push_back(row);
-                return row;
-            }
-        int row = evaluator_.row_count_;
-        evaluator_.row_count_ += lanes;
-        scratch_pool_.emplace_back(row, lanes);
-        scratch_in_use_.push_back(row);
+        evaluator_.row_count_ += count;
+        return evaluator_.row_count_ - count;
+    }
+
+    // The rows freed last are the likeliest to be in the cache.
+    int rows(int count)
+    {
+        std::vector<int>& free = free_rows(count);
+        if (free.empty()) return new_rows(count);
+        int row = free.back();
+        free.pop_back();
         return row;
     }
 
-    void release_dead(std::int32_t at, const Instruction& instruction)
+    void take_rows(ValueId id) { life(id).row = rows(lanes(id)); }
+
+    void emit(const Step& step)
     {
-        for (std::int32_t k = 0; k < instruction.argument_count; ++k) {
-            ValueId id = program_.arguments[index(instruction.first_argument + k)];
-            if (!in_block(id) && row_of_[index(id)] >= 0 && last_use_[index(id)] <= at && !counters_.contains(id)) release(id);
+        switch (step.kind) {
+            case Step::Kind::call: emit_call(*step.instruction); break;
+            case Step::Kind::begin_block: emit_begin(*step.instruction); break;
+            case Step::Kind::end_block: emit_end(*step.instruction); break;
         }
-        if (last_use_[index(instruction.result)] < 0) release(instruction.result);
     }
 
-    void emit_block(std::int32_t at, const Instruction& block)
+    void emit_call(const Instruction& instruction)
     {
-        std::span carried(program_.carried.data() + block.first_carried, index(block.carried_count));
-        for (const graph::Carried& pair : carried) {
-            row_of_[index(pair.accumulator)] = take(value(pair.accumulator).lanes);
-            emit_set(pair.accumulator, pair.initial);
+        const graph::Function& function = *instruction.function;
+        const KernelEntry& kernel = kernel_of_(instruction);
+        std::span<const ValueId> arguments = arguments_of(program_, instruction);
+        bool varying = false;
+        for (std::size_t k = 0; k < arguments.size(); ++k)
+            varying = varying || (has_rows(arguments[k]) && is_single(function, function.arguments[k]));
+
+        std::vector<std::pair<int, int>> spread;  // rows and how many, of this call only
+        assert(arguments.size() <= max_arguments);
+        std::array<Operand, max_arguments> operands;
+        for (std::size_t k = 0; k < arguments.size(); ++k) {
+            const graph::Argument& argument = function.arguments[k];
+            bool single = argument.type.base == graph::BaseType::list || (!varying && is_single(function, argument));
+            operands[k] =
+                single || has_rows(arguments[k]) ? place(arguments[k]) : spread_over_rows(arguments[k], spread);
         }
-        int counter = evaluator_.counter_count_++;
-        counters_[block.copy] = counter;
-        Operation begin;
-        begin.kind = Operation::Kind::begin_block;
-        begin.counter = counter;
+        take_rows(instruction.result);
+        Operation call{Operation::Kind::call, varying ? kernel.varying : kernel.uniform, life(instruction.result).row};
+        call.first_operand = static_cast<int>(evaluator_.operands_.size());
+        for (std::size_t k = 0; k < arguments.size(); ++k) add_operand(operands[k]);
+        evaluator_.operations_.push_back(call);
+        for (auto [row, count] : spread) free_rows(count).push_back(row);
+    }
+
+    Operand place(ValueId id)
+    {
+        if (in_block(id)) return {Operand::Kind::block, value_of(program_, id).slot};
+        if (life(id).counter >= 0) return {Operand::Kind::counter, life(id).counter};
+        return {Operand::Kind::rows, life(id).row};
+    }
+
+    void add_operand(Operand operand)
+    {
+        if (operand.kind == Operand::Kind::block)
+            evaluator_.block_operands_.push_back(static_cast<int>(evaluator_.operands_.size()));
+        evaluator_.operands_.push_back(operand);
+    }
+
+    // Spreads a single value for one call; inside blocks values of the block are spread once, before the outermost one.
+    Operand spread_over_rows(ValueId id, std::vector<std::pair<int, int>>& spread)
+    {
+        if (open_.empty() || !in_block(id)) {
+            spread.emplace_back(rows(lanes(id)), lanes(id));
+            add_move(Operation::Kind::spread, place(id), spread.back().first, lanes(id), evaluator_.operations_.size());
+            return {Operand::Kind::rows, spread.back().first};
+        }
+        auto [known, added] = hoisted_.try_emplace(id, 0);
+        if (added) {
+            known->second = new_rows(lanes(id));  // rows in use earlier in the body would be overwritten there
+            add_move(Operation::Kind::spread, place(id), known->second, lanes(id), open_.front() + hoisted_.size() - 1);
+        }
+        return {Operand::Kind::rows, known->second};
+    }
+
+    void add_move(Operation::Kind kind, Operand from, int to, int count, std::size_t at)
+    {
+        Operation move{kind, nullptr, to, static_cast<int>(evaluator_.operands_.size()), count};
+        add_operand(from);
+        evaluator_.operations_.insert(evaluator_.operations_.begin() + static_cast<std::ptrdiff_t>(at), move);
+    }
+
+    // Rows of a value become those of another: a copy, or a single value spread.
+    void set_rows(int to, ValueId from)
+    {
+        add_move(has_rows(from) ? Operation::Kind::copy : Operation::Kind::spread, place(from), to, lanes(from),
+                 evaluator_.operations_.size());
+    }
+
+    void emit_begin(const Instruction& block)
+    {
+        for (const graph::Carried& pair : carried_of(program_, block)) {
+            take_rows(pair.accumulator);
+            set_rows(life(pair.accumulator).row, pair.initial);
+        }
+        life(block.copy).counter = evaluator_.counter_count_++;
+        if (open_.empty()) hoisted_.clear();
+        open_.push_back(evaluator_.operations_.size());
+        Operation begin{Operation::Kind::begin_block};
+        begin.counter = life(block.copy).counter;
         evaluator_.operations_.push_back(begin);
-        int body = static_cast<int>(evaluator_.operations_.size());
-        emit(at + 1, block.body_end);
-        for (const graph::Carried& pair : carried) emit_set(pair.accumulator, pair.next);
-        Operation end;
-        end.kind = Operation::Kind::end_block;
-        end.counter = counter;
+        bodies_.push_back(evaluator_.operations_.size() - hoisted_.size());
+    }
+
+    void emit_end(const Instruction& block)
+    {
+        fold(carried_of(program_, block));
+        Operation end{Operation::Kind::end_block};
+        end.counter = life(block.copy).counter;
         end.copies = block.copies;
-        end.jump = body;
+        end.body = static_cast<int>(evaluator_.operations_.size() - hoisted_.size() - bodies_.back());
         evaluator_.operations_.push_back(end);
-        release_after_block(block);
+        open_.pop_back();
+        bodies_.pop_back();
+        if (!open_.empty()) return;
+        for (auto [id, row] : hoisted_) free_rows(lanes(id)).push_back(row);
+        hoisted_.clear();
     }
 
-    void emit_set(ValueId target, ValueId source)
+    // All pairs at once: a `next` that is another pair's accumulator is read before it changes.
+    void fold(std::span<const graph::Carried> pairs)
     {
-        Operation set;
-        set.kind = Operation::Kind::set;
-        set.result = row_of_[index(target)];
-        set.first_operand = static_cast<int>(evaluator_.operands_.size());
-        Operand from = operand(source, true);
-        from.lanes = value(target).lanes;
-        evaluator_.operands_.push_back(from);
-        evaluator_.operations_.push_back(set);
-    }
-
-    // Values that lived to the block's end because the body runs several times.
-    void release_after_block(const Instruction& block)
-    {
-        std::int32_t end = block.body_end;
-        auto release_if_dead = [&](ValueId id) {
-            if (!in_block(id) && row_of_[index(id)] >= 0 && last_use_[index(id)] <= end && !counters_.contains(id)) release(id);
+        auto is_accumulator = [&](ValueId id) {
+            return std::any_of(pairs.begin(), pairs.end(),
+                               [&](const graph::Carried& pair) { return pair.accumulator == id; });
         };
-        for (std::int32_t i = static_cast<std::int32_t>(&block - program_.instructions.data()) + 1; i < end; ++i) {
-            const Instruction& inner = program_.instructions[index(i)];
-            for (std::int32_t k = 0; k < inner.argument_count; ++k) {
-                ValueId id = program_.arguments[index(inner.first_argument + k)];
-                if (!is_accumulator_of(block, id)) release_if_dead(id);
+        std::vector<std::pair<int, const graph::Carried*>> kept;
+        for (const graph::Carried& pair : pairs)
+            if (is_accumulator(pair.next)) {
+                kept.emplace_back(rows(lanes(pair.next)), &pair);
+                set_rows(kept.back().first, pair.next);
             }
+        for (const graph::Carried& pair : pairs)
+            if (!is_accumulator(pair.next)) set_rows(life(pair.accumulator).row, pair.next);
+        for (auto [row, pair] : kept) {
+            add_move(Operation::Kind::copy, {Operand::Kind::rows, row}, life(pair->accumulator).row, lanes(pair->next),
+                     evaluator_.operations_.size());
+            free_rows(lanes(pair->next)).push_back(row);
         }
-        for (std::int32_t k = 0; k < block.carried_count; ++k)
-            release_if_dead(program_.carried[index(block.first_carried + k)].next);
     }
 
-    // An accumulator is read after its block: its later uses decide when it dies.
-    bool is_accumulator_of(const Instruction& block, ValueId id) const
+    void emit_results()
     {
-        for (std::int32_t k = 0; k < block.carried_count; ++k)
-            if (program_.carried[index(block.first_carried + k)].accumulator == id) return true;
-        return false;
-    }
-
-    Operand result_operand(ValueId id, int lane)
-    {
-        if (in_block(id)) return {Operand::Kind::block_as_rows, value(id).slot + lane, 1, 0};
-        return {Operand::Kind::rows, row_of_[index(id)] + lane, 1, 0};
-    }
-
-    // Results that are single values are spread over rows of their own at the end.
-    void spread_results()
-    {
-        for (Operand& result : evaluator_.results_)
-            if (result.kind != Operand::Kind::rows) result.scratch = evaluator_.row_count_++;
+        for (ValueId result : entry_.results) {
+            if (!has_rows(result)) {
+                int row = rows(lanes(result));
+                set_rows(row, result);
+                life(result).row = row;
+            }
+            for (int lane = 0; lane < lanes(result); ++lane) evaluator_.result_rows_.push_back(life(result).row + lane);
+        }
     }
 
     Evaluator& evaluator_;
     const Program& program_;
     const graph::Entry& entry_;
-    const KernelTable& table_;
-    std::vector<int> row_of_;                 // by value
-    std::vector<std::int32_t> last_use_, defined_;
-    std::map<ValueId, int> counters_;         // copy values
-    std::array<std::vector<int>, 33> free_;   // first rows by number of lanes
-    std::vector<std::pair<int, int>> scratch_pool_;
-    std::vector<int> scratch_in_use_;
+    KernelFinder kernel_of_;
+    std::vector<Life> values_;
+    std::vector<Step> steps_;
+    std::vector<ValueId> first_to_die_;         // by step
+    std::vector<std::vector<int>> free_;        // first rows, by number of lanes
+    std::vector<std::size_t> open_;             // operations at which the blocks being emitted begin
+    std::vector<std::size_t> bodies_;           // their first operations, less those hoisted
+    std::unordered_map<ValueId, int> hoisted_;  // values spread before the outermost block being emitted: first rows
 };
 
-Evaluator::Evaluator(const Program& program, const graph::Entry& entry, const KernelTable& table) : list_data_(program.list_data)
+Evaluator::Evaluator(const Program& program, const graph::Entry& entry, const KernelTable& table)
+    : list_data_(program.list_data)
 {
     Compiler(*this, program, entry, table).compile();
 }
 
 Evaluator::Workspace::Workspace(const Evaluator& evaluator)
-    : memory_(static_cast<std::size_t>(evaluator.row_count_ + 1) * row_width), evaluator_(&evaluator)
+    : memory_(static_cast<std::size_t>(evaluator.row_count_) * row_width + 16),
+      counters_(static_cast<std::size_t>(evaluator.counter_count_)),
+      pointers_(evaluator.operands_.size()),
+      evaluator_(&evaluator)
 {
     auto address = reinterpret_cast<std::uintptr_t>(memory_.data());
-    rows_ = memory_.data() + ((64 - address % 64) % 64) / sizeof(float);
+    rows_ = memory_.data() + (64 - address % 64) % 64 / sizeof(float);
+    for (std::size_t i = 0; i < pointers_.size(); ++i) {
+        const Operand& operand = evaluator.operands_[i];
+        if (operand.kind == Operand::Kind::rows) pointers_[i] = row(operand.at);
+        if (operand.kind == Operand::Kind::counter) pointers_[i] = &counters_[index(operand.at)];
+    }
+}
+
+void Evaluator::Workspace::point_into(std::span<const float> block)
+{
+    if (block.data() == block_) return;
+    block_ = block.data();
+    for (int operand : evaluator_->block_operands_)
+        pointers_[index(operand)] = block_ + evaluator_->operands_[index(operand)].at;
 }
 
 const float* Evaluator::Workspace::result(int lane) const
 {
-    const Operand& operand = evaluator_->results_[static_cast<std::size_t>(lane)];
-    int row = operand.kind == Operand::Kind::rows ? operand.at : operand.scratch;
-    return rows_ + static_cast<std::ptrdiff_t>(row) * row_width;
+    return rows_ + static_cast<std::ptrdiff_t>(evaluator_->result_rows_[index(lane)]) * row_width;
 }
 
 void Evaluator::evaluate(Workspace& workspace, std::span<const float> block, int count) const
 {
-    std::array<float, 64> counters{};
-    auto spread = [&](const float* from, int first_row, int lanes) {
-        for (int lane = 0; lane < lanes; ++lane) std::fill_n(workspace.row(first_row + lane), count, from[lane]);
-        return workspace.row(first_row);
-    };
-    auto resolve = [&](const Operand& operand) -> const float* {
-        switch (operand.kind) {
-            case Operand::Kind::rows: return workspace.row(operand.at);
-            case Operand::Kind::block: return block.data() + operand.at;
-            case Operand::Kind::block_as_rows: return spread(block.data() + operand.at, operand.scratch, operand.lanes);
-            case Operand::Kind::counter: return &counters[static_cast<std::size_t>(operand.at) % counters.size()];
-            case Operand::Kind::counter_as_rows: break;
-        }
-        return spread(&counters[static_cast<std::size_t>(operand.at) % counters.size()], operand.scratch, 1);
-    };
-    for (std::size_t at = 0; at < operations_.size(); ++at) {
-        const Operation& operation = operations_[at];
-        switch (operation.kind) {
-            case Operation::Kind::call: {
-                std::array<const float*, max_arguments> arguments;
-                for (int k = 0; k < operation.operand_count; ++k)
-                    arguments[static_cast<std::size_t>(k)] = resolve(operands_[static_cast<std::size_t>(operation.first_operand + k)]);
-                operation.kernel(workspace.row(operation.result), arguments.data(), list_data_.data(), count);
+    assert(workspace.evaluator_ == this && count <= row_width);
+    workspace.point_into(block);
+    const float* const* pointers = workspace.pointers_.data();
+    float* counters = workspace.counters_.data();
+    const Operation* end = operations_.data() + operations_.size();
+    for (const Operation* operation = operations_.data(); operation != end; ++operation) {
+        const float* const* arguments = pointers + operation->first_operand;
+        float* result = workspace.row(operation->result);
+        switch (operation->kind) {
+            case Operation::Kind::call: operation->kernel(result, arguments, list_data_.data(), count); break;
+            case Operation::Kind::spread:
+                for (int lane = 0; lane < operation->lanes; ++lane)
+                    std::fill_n(result + lane * row_width, count, arguments[0][lane]);
                 break;
-            }
-            case Operation::Kind::begin_block: counters[static_cast<std::size_t>(operation.counter) % counters.size()] = 0; break;
-            case Operation::Kind::end_block: {
-                float& counter = counters[static_cast<std::size_t>(operation.counter) % counters.size()];
-                counter += 1;
-                if (counter < static_cast<float>(operation.copies)) at = static_cast<std::size_t>(operation.jump) - 1;
+            case Operation::Kind::copy:
+                for (int lane = 0; lane < operation->lanes; ++lane)
+                    std::copy_n(arguments[0] + lane * row_width, count, result + lane * row_width);
                 break;
-            }
-            case Operation::Kind::set: {
-                const Operand& from = operands_[static_cast<std::size_t>(operation.first_operand)];
-                if (from.kind == Operand::Kind::rows)
-                    for (int lane = 0; lane < from.lanes; ++lane)
-                        std::copy_n(workspace.row(from.at + lane), count, workspace.row(operation.result + lane));
-                else
-                    spread(resolve(from), operation.result, from.lanes);
+            case Operation::Kind::begin_block: counters[operation->counter] = 0; break;
+            case Operation::Kind::end_block:
+                counters[operation->counter] += 1;
+                if (counters[operation->counter] < static_cast<float>(operation->copies))
+                    operation -= operation->body + 1;
                 break;
-            }
         }
     }
-    for (const Operand& result : results_)
-        if (result.kind != Operand::Kind::rows) spread(block.data() + result.at, result.scratch, 1);
 }
+
+namespace {
+
+// Rows of one point for the calls of a frame: room for the arguments of any, and for its result.
+class FrameRows {
+public:
+    explicit FrameRows(const Program& program) : program_(program) {}
+
+    void run(const Instruction& instruction, const KernelEntry& kernel, std::vector<float>& block)
+    {
+        std::span<const ValueId> arguments = arguments_of(program_, instruction);
+        const graph::ProgramValue& result = value_of(program_, instruction.result);
+        reserve(arguments, result.lanes);
+        std::array<const float*, max_arguments> pointers;
+        std::size_t lane = index(result.lanes);
+        for (std::size_t k = 0; k < arguments.size(); ++k) {
+            const graph::ProgramValue& value = value_of(program_, arguments[k]);
+            pointers[k] = place(value, block, lane);
+            lane += index(value.lanes);
+        }
+        kernel.varying(rows_.data(), pointers.data(), program_.list_data.data(), 1);
+        for (std::size_t i = 0; i < index(result.lanes); ++i) block[index(result.slot) + i] = rows_[i * row_width];
+    }
+
+private:
+    void reserve(std::span<const ValueId> arguments, int lanes)
+    {
+        assert(arguments.size() <= max_arguments);
+        for (ValueId id : arguments) lanes += value_of(program_, id).lanes;
+        if (rows_.size() < index(lanes) * row_width) rows_.resize(index(lanes) * row_width);
+    }
+
+    // Lists are read in place.
+    const float* place(const graph::ProgramValue& value, const std::vector<float>& block, std::size_t first_lane)
+    {
+        const float* single = block.data() + value.slot;
+        if (value.type->base == graph::BaseType::list) return single;
+        float* row = rows_.data() + first_lane * row_width;
+        for (std::size_t i = 0; i < index(value.lanes); ++i) row[i * row_width] = single[i];
+        return row;
+    }
+
+    const Program& program_;
+    std::vector<float> rows_;
+};
+
+}  // namespace
 
 std::vector<float> evaluate_frame(const Program& program, float time)
 {
     std::vector<float> block = program.block;
-    const KernelTable& table = kernels();
-    if (program.time != graph::no_value) block[static_cast<std::size_t>(program.values[static_cast<std::size_t>(program.time)].slot)] = time;
-    std::vector<float> rows;
+    if (program.time != graph::no_value) block[index(value_of(program, program.time).slot)] = time;
+    KernelFinder kernel_of(kernels(), program);
+    FrameRows rows(program);
     for (std::int32_t i = program.frame.first; i < program.frame.last; ++i) {
-        const Instruction& instruction = program.instructions[static_cast<std::size_t>(i)];
-        std::array<const float*, max_arguments> arguments;
-        std::array<std::size_t, max_arguments> offsets;
-        rows.clear();
-        for (std::int32_t k = 0; k < instruction.argument_count; ++k) {
-            const auto& value = program.values[static_cast<std::size_t>(program.arguments[static_cast<std::size_t>(instruction.first_argument + k)])];
-            offsets[static_cast<std::size_t>(k)] = rows.size();
-            // Lists are read in place; everything else as rows of one point.
-            std::size_t stride = value.type->base == graph::BaseType::list ? 1 : row_width;
-            rows.resize(rows.size() + static_cast<std::size_t>(value.lanes) * stride);
-            for (int lane = 0; lane < value.lanes; ++lane)
-                rows[offsets[static_cast<std::size_t>(k)] + static_cast<std::size_t>(lane) * stride] = block[static_cast<std::size_t>(value.slot + lane)];
-        }
-        for (std::int32_t k = 0; k < instruction.argument_count; ++k)
-            arguments[static_cast<std::size_t>(k)] = rows.data() + offsets[static_cast<std::size_t>(k)];
-        const auto& result = program.values[static_cast<std::size_t>(instruction.result)];
-        std::vector<float> out(static_cast<std::size_t>(result.lanes) * row_width);
-        kernel_of(table, instruction).varying(out.data(), arguments.data(), program.list_data.data(), 1);
-        for (int lane = 0; lane < result.lanes; ++lane)
-            block[static_cast<std::size_t>(result.slot + lane)] = out[static_cast<std::size_t>(lane) * row_width];
+        const Instruction& instruction = program.instructions[index(i)];
+        rows.run(instruction, kernel_of(instruction), block);
     }
     return block;
 }
@@ -392,8 +518,8 @@ std::vector<float> distances(const Program& program, std::span<const float> bloc
     std::vector<float> result(points.size());
     for (std::size_t first = 0; first < points.size(); first += row_width) {
         int count = static_cast<int>(std::min<std::size_t>(row_width, points.size() - first));
-        for (int i = 0; i < count; ++i)
-            for (int lane = 0; lane < 3; ++lane) workspace.input(lane)[i] = points[first + static_cast<std::size_t>(i)][lane];
+        for (int lane = 0; lane < 3; ++lane)
+            for (int i = 0; i < count; ++i) workspace.input(lane)[i] = points[first + index(i)][lane];
         evaluator.evaluate(workspace, block, count);
         std::copy_n(workspace.result(0), count, result.begin() + static_cast<std::ptrdiff_t>(first));
     }

@@ -18,21 +18,27 @@ class Evaluator {
 public:
     Evaluator(const graph::Program& program, const graph::Entry& entry, const KernelTable& table = kernels());
 
-    int input_lanes() const { return input_lanes_; }    // sum over entry.inputs
-    int result_lanes() const { return static_cast<int>(results_.size()); }  // sum over entry.results
+    int input_lanes() const { return input_lanes_; }                            // sum over entry.inputs
+    int result_lanes() const { return static_cast<int>(result_rows_.size()); }  // sum over entry.results
 
-    // One thread's rows. Reuse it between calls of the same evaluator.
+    // One thread's rows. Reuse it between calls of the same evaluator, which must outlive it.
     class Workspace {
     public:
         explicit Workspace(const Evaluator& evaluator);
+        Workspace(Workspace&&) = default;
         float* input(int lane) { return row(lane); }  // row to fill before evaluate; lanes of entry.inputs in turn
         const float* result(int lane) const;          // row to read after; lanes of entry.results in turn
 
     private:
         friend class Evaluator;
         float* row(int index) { return rows_ + static_cast<std::ptrdiff_t>(index) * row_width; }
+        void point_into(std::span<const float> block);
+
         std::vector<float> memory_;
-        float* rows_ = nullptr;  // aligned to 64 bytes
+        float* rows_ = nullptr;               // aligned to 64 bytes
+        std::vector<float> counters_;         // copies done, by block
+        std::vector<const float*> pointers_;  // by operand
+        const float* block_ = nullptr;        // where pointers_ into the block point
         const Evaluator* evaluator_ = nullptr;
     };
 
@@ -42,23 +48,23 @@ public:
 private:
     // Where an argument is found: rows of the workspace, a place in the block, or a counter of copies.
     struct Operand {
-        enum class Kind { rows, block, block_as_rows, counter, counter_as_rows } kind;
-        int at = 0;  // first row, slot of the block, or counter
-        int lanes = 1;
-        int scratch = 0;  // first row to spread a single value over
+        enum class Kind { rows, block, counter } kind;
+        int at;  // first row, slot of the block, or counter
     };
     struct Operation {
-        enum class Kind { call, begin_block, end_block, set } kind = Kind::call;
+        enum class Kind { call, spread, copy, begin_block, end_block } kind;
         Kernel kernel = nullptr;
-        int result = 0;                               // first row
-        int first_operand = 0, operand_count = 0;     // of a call; of `set`: one
-        int counter = 0, copies = 0, jump = 0;        // of blocks
+        int result = 0;                         // first row
+        int first_operand = 0;                  // of a call, spread or copy; the last two have one
+        int lanes = 0;                          // of a spread or copy
+        int counter = 0, copies = 0, body = 0;  // of blocks; body: operations from the body's first to the block's end
     };
     class Compiler;
 
     std::vector<Operation> operations_;
     std::vector<Operand> operands_;
-    std::vector<Operand> results_;  // one per result lane
+    std::vector<int> block_operands_;  // indices of operands in the block
+    std::vector<int> result_rows_;     // by result lane
     std::vector<glm::vec4> list_data_;
     int input_lanes_ = 0;
     int row_count_ = 0;
@@ -66,7 +72,7 @@ private:
 };
 
 // Signed distances of the program's distance entry at points; any number of points, on the calling thread.
-std::vector<float> distances(const graph::Program& program, std::span<const float> block, std::span<const glm::vec3> points,
-                             const KernelTable& table = kernels());
+std::vector<float> distances(const graph::Program& program, std::span<const float> block,
+                             std::span<const glm::vec3> points, const KernelTable& table = kernels());
 
 }  // namespace fieldwright::field

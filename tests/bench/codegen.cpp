@@ -33,8 +33,9 @@ void measure(Size& size, const std::shared_ptr<const graph::Library>& library)
     graph::LowerOptions options{.cost_limit = 1'000'000};
     graph::Program program;
     std::string text;
-    size.lowering.push_back(processor_seconds_of([&] { program = graph::lower(size.document, library, options); }));
-    size.printing.push_back(processor_seconds_of([&] { text = print(program); }));
+    size.lowering.push_back(processor_seconds_of(CLOCK_THREAD_CPUTIME_ID,
+                                                 [&] { program = graph::lower(size.document, library, options); }));
+    size.printing.push_back(processor_seconds_of(CLOCK_THREAD_CPUTIME_ID, [&] { text = print(program); }));
     demand(program.problems.empty(), "the scene lowers without problems");
     demand(size.bytes == 0 || size.bytes == text.size(), "texts of the same document");
     size.bytes = text.size();

@@ -132,7 +132,7 @@ float largest_difference(const std::vector<float>& a, const std::vector<float>& 
 template <typename Distances>
 double seconds_on(int threads, Points points, const Distances& distances)
 {
-    if (threads == 1) return processor_seconds_of([&] { distances(points); });
+    if (threads == 1) return processor_seconds_of(CLOCK_THREAD_CPUTIME_ID, [&] { distances(points); });
     return seconds_of([&] {
         std::size_t share = points.size() / static_cast<std::size_t>(threads);
         std::vector<std::jthread> workers;

@@ -98,7 +98,7 @@ vec2 castRay(vec3 ro, vec3 rd, float tmin, float tmax)
 // Four taps on a tetrahedron; not of unit length.
 vec3 calcGradient(vec3 pos, float t)
 {
-    float e = 0.0005 * max(1.0, t);
+    float e = 0.0002 * max(1.0, t);
     vec3 n = vec3(0.0);
     for (int i = ZERO; i < 4; i++) {
         vec3 corner = 2.0 * vec3(((i + 3) >> 1) & 1, (i >> 1) & 1, i & 1) - 1.0;

@@ -66,6 +66,15 @@ TEST(Metamorphic, unions_commute)
                     lit([&](Scene& s) { return pair(s, type, block(s), left_ball(s)); }));
 }
 
+// What is read right after a repeat must have lived through it.
+TEST(Metamorphic, unions_with_a_repeat_commute)
+{
+    auto copies = [](Scene& s) { return s.node("repeat_limited", {{"d", ring(s)}}); };
+    auto mirrored = [](Scene& s, NodeId field) { return s.node("mirror", {{"d", field}}); };
+    expect_same(lit([&](Scene& s) { return mirrored(s, pair(s, "union", copies(s), s.node("cylinder"))); }),
+                lit([&](Scene& s) { return mirrored(s, pair(s, "union", s.node("cylinder"), copies(s))); }));
+}
+
 TEST(Metamorphic, smooth_unions_commute)
 {
     for (const char* type : {"smooth_union", "smooth_intersect"})

@@ -66,7 +66,7 @@ TEST(RandomGraphs, give_the_same_distances_on_every_instruction_set)
     auto library = graph::Library::embedded();
     int count = 0;
     const field::KernelTable* const* tables = field::runnable_kernels(count);
-    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    for (std::uint64_t seed = 0; seed < graph_count(); ++seed) {
         Field field(random_graph(seed, library).program());
         Random random(seed);
         std::vector<glm::vec3> points = sample_points(random, point_count);
