@@ -128,17 +128,17 @@ float largest_difference(const std::vector<float>& a, const std::vector<float>& 
     return largest;
 }
 
-// Seconds of all threads together: each takes its share of the points. One thread's own time is its processor's.
+// Processor seconds of each thread, the points shared among them.
 template <typename Distances>
 double seconds_on(int threads, Points points, const Distances& distances)
 {
-    if (threads == 1) return processor_seconds_of(CLOCK_THREAD_CPUTIME_ID, [&] { distances(points); });
-    return seconds_of([&] {
+    double seconds = processor_seconds_of(CLOCK_PROCESS_CPUTIME_ID, [&] {
         std::size_t share = points.size() / static_cast<std::size_t>(threads);
         std::vector<std::jthread> workers;
         for (int i = 0; i < threads; ++i)
             workers.emplace_back([&, i] { distances(points.subspan(static_cast<std::size_t>(i) * share, share)); });
     });
+    return seconds / threads;
 }
 
 void print_row(const char* name, int threads, const Times& times)
@@ -162,7 +162,7 @@ int run()
     float difference = largest_difference(by_evaluator(points), by_compiler(points));
     demand(difference <= 1e-5f, "distances of the evaluator and of the compiled scene");
 
-    std::printf("csg(%d), %zu points, %s, largest difference %.1e m\n", primitives, point_count,
+    std::printf("csg(%d), %zu points, %s, processor time; largest difference %.1e m\n", primitives, point_count,
                 std::string(field::kernels().instruction_set).c_str(), static_cast<double>(difference));
     std::printf("%-24s %7s %12s %12s %16s\n", "", "threads", "Mevals/s", "(median)", "Gprim-evals/s");
     for (int threads : {1, 2}) {
