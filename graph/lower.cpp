@@ -26,7 +26,9 @@ Program Lowering::lower()
                              "the scene takes more than " + std::to_string(options_.cost_limit) +
                                  " primitive evaluations for one distance; remove copies or shared branches"});
         root = -1;
+        std::int64_t refused_cost = cost_;  // what was counted when the limit was passed is what a reader wants to see
         distance = lower_distance(root);
+        cost_ = refused_cost;
     }
     Entry surface = lower_surface(root);
     Entry ray = lower_ray(output >= 0 ? other_source(output, "camera", SocketKind::camera) : -1);
