@@ -1,0 +1,167 @@
+// Driving the editor through its input queue.
+#include "tests/ui/driver.h"
+
+#include "ui/keys.h"
+
+#include <gtest/gtest.h>
+
+namespace fieldwright::tests {
+namespace {
+
+using Kind = ui::InputEvent::Kind;
+
+}  // namespace
+
+Driver::Driver(graph::Document start, glm::vec2 size_px)
+    : library(graph::Library::embedded()), document(std::move(start)), context_(ImGui::CreateContext())
+{
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = io.LogFilename = nullptr;
+    io.DisplaySize = ImVec2(size_px.x, size_px.y);
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    ui::map_keys(io);
+    theme_ = ui::make_theme(1);
+    unsigned char* pixels;
+    int width, height;
+    io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+    editor.rects.listening = true;
+    readings.view_names = {"beauty", "steps", "normal", "depth", "id"};
+    readings.stereo_names = {"off", "naive", "dubois"};
+    readings.export_targets = {"glsl", "shadertoy"};
+    readings.file_name = "test.scene.json";
+    steps.emplace_back(document, "start");
+    refresh_readings();
+    frames(2);
+}
+
+Driver::~Driver() { ImGui::DestroyContext(context_); }
+
+void Driver::refresh_readings()
+{
+    readings.program = std::make_shared<graph::Program>(graph::lower(document, library));
+    readings.problems = readings.program->problems;
+    readings.step_names.clear();
+    for (const auto& [_, name] : steps) readings.step_names.push_back(name);
+    readings.step = step;
+}
+
+void Driver::perform(const ui::Request& request)
+{
+    if (std::holds_alternative<ui::Undo>(request) && step > 0) document = steps[--step].first;
+    else if (std::holds_alternative<ui::Redo>(request) && step + 1 < steps.size()) document = steps[++step].first;
+    else if (const auto* jump = std::get_if<ui::JumpTo>(&request); jump && jump->step < steps.size())
+        document = steps[step = jump->step].first;
+    else requests.push_back(request);
+    refresh_readings();
+}
+
+void Driver::frame()
+{
+    ImGuiIO& io = ImGui::GetIO();
+    io.DeltaTime = 1.0f / 60.0f;
+    queue.pass(io);
+    ImGui::NewFrame();
+    ui::Editor::Output output = editor.draw(document, *library, readings, theme_);
+    ImGui::Render();
+    if (output.document_changed) refresh_readings();
+    if (!output.settled_step.empty() && document != steps[step].first) {
+        steps.resize(step + 1);
+        steps.emplace_back(document, output.settled_step);
+        ++step;
+        refresh_readings();
+    }
+    for (const ui::Request& request : output.requests) perform(request);
+}
+
+void Driver::frames(int count)
+{
+    for (int i = 0; i < count; ++i) frame();
+}
+
+void Driver::run_until_quiet()
+{
+    while (!queue.empty()) frame();
+    frames(2);
+}
+
+void Driver::move(glm::vec2 at)
+{
+    queue.push({.kind = Kind::move, .at = at});
+    run_until_quiet();
+}
+
+void Driver::press(int button)
+{
+    queue.push({.kind = Kind::button, .code = button, .down = true});
+    run_until_quiet();
+}
+
+void Driver::release(int button)
+{
+    queue.push({.kind = Kind::button, .code = button, .down = false});
+    run_until_quiet();
+}
+
+void Driver::click(glm::vec2 at, int button)
+{
+    move(at);
+    press(button);
+    release(button);
+}
+
+void Driver::click(std::string_view widget, int button) { click(place(widget), button); }
+
+void Driver::double_click(glm::vec2 at)
+{
+    move(at);
+    for (int i = 0; i < 2; ++i) {
+        queue.push({.kind = Kind::button, .code = 0, .down = true});
+        queue.push({.kind = Kind::button, .code = 0, .down = false});
+    }
+    run_until_quiet();
+}
+
+void Driver::drag(glm::vec2 from, glm::vec2 to, int button, int count)
+{
+    move(from);
+    press(button);
+    for (int i = 1; i <= count; ++i) move(from + (to - from) * (static_cast<float>(i) / static_cast<float>(count)));
+    release(button);
+}
+
+void Driver::wheel(float notches)
+{
+    queue.push({.kind = Kind::wheel, .at = {0, notches}});
+    run_until_quiet();
+}
+
+void Driver::key(int code, bool control, bool shift, bool alt)
+{
+    const std::pair<bool, int> modifiers[] = {
+        {control, ui::key::left_control}, {shift, ui::key::left_shift}, {alt, ui::key::left_alt}};
+    for (auto [wanted, modifier] : modifiers)
+        if (wanted) queue.push({.kind = Kind::key, .code = modifier, .down = true});
+    queue.push({.kind = Kind::key, .code = code, .down = true});
+    queue.push({.kind = Kind::key, .code = code, .down = false});
+    for (auto [wanted, modifier] : modifiers)
+        if (wanted) queue.push({.kind = Kind::key, .code = modifier, .down = false});
+    run_until_quiet();
+}
+
+void Driver::type(std::string_view text)
+{
+    for (unsigned char c : text) queue.push({.kind = Kind::character, .code = c});
+    run_until_quiet();
+}
+
+glm::vec2 Driver::place(std::string_view widget) const
+{
+    auto rect = editor.rects.find(widget);
+    if (!rect) {
+        ADD_FAILURE() << "no widget is named " << widget;
+        return {0, 0};
+    }
+    return rect->centre();
+}
+
+}  // namespace fieldwright::tests

@@ -1,0 +1,121 @@
+// Slow frames lose no click and no key.
+#include "ui/input_queue.h"
+
+#include "ui/keys.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+namespace fieldwright {
+namespace {
+
+using Kind = ui::InputEvent::Kind;
+
+class QueueOverSlowFrames : public testing::Test {
+protected:
+    QueueOverSlowFrames() : context_(ImGui::CreateContext())
+    {
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = ImVec2(640, 480);
+        ui::map_keys(io);
+        unsigned char* pixels;
+        int width, height;
+        io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+    }
+    ~QueueOverSlowFrames() override { ImGui::DestroyContext(context_); }
+
+    // What happened within 100 ms is one frame's worth of events.
+    template <typename Look>
+    int count_over_frames(const Look& look)
+    {
+        int count = 0;
+        do {
+            ImGui::GetIO().DeltaTime = 0.1f;
+            queue.pass(ImGui::GetIO());
+            ImGui::NewFrame();
+            count += look();
+            ImGui::EndFrame();
+        } while (!queue.empty());
+        return count;
+    }
+
+    ui::InputQueue queue;
+
+private:
+    ImGuiContext* context_;
+};
+
+TEST_F(QueueOverSlowFrames, ten_taps_of_a_key_are_ten_presses)
+{
+    for (int i = 0; i < 10; ++i) {
+        queue.push({.kind = Kind::key, .code = ui::key::del, .down = true});
+        queue.push({.kind = Kind::key, .code = ui::key::del, .down = false});
+    }
+    EXPECT_EQ(count_over_frames([] { return ImGui::IsKeyPressed(ui::key::del, false) ? 1 : 0; }), 10);
+}
+
+TEST_F(QueueOverSlowFrames, ten_clicks_are_ten_clicks)
+{
+    for (int i = 0; i < 10; ++i) {
+        queue.push({.kind = Kind::button, .code = 0, .down = true});
+        queue.push({.kind = Kind::button, .code = 0, .down = false});
+    }
+    EXPECT_EQ(count_over_frames([] { return ImGui::IsMouseClicked(0) ? 1 : 0; }), 10);
+}
+
+TEST_F(QueueOverSlowFrames, a_quick_drag_is_pressed_where_it_began)
+{
+    queue.push({.kind = Kind::move, .at = {50, 200}});
+    queue.push({.kind = Kind::button, .code = 0, .down = true});
+    queue.push({.kind = Kind::move, .at = {300, 250}});
+    queue.push({.kind = Kind::button, .code = 0, .down = false});
+    float pressed_at = -1, released_at = -1;
+    count_over_frames([&] {
+        if (ImGui::IsMouseClicked(0)) pressed_at = ImGui::GetIO().MousePos.x;
+        if (ImGui::IsMouseReleased(0)) released_at = ImGui::GetIO().MousePos.x;
+        return 0;
+    });
+    EXPECT_EQ(pressed_at, 50);
+    EXPECT_EQ(released_at, 300);
+}
+
+TEST_F(QueueOverSlowFrames, a_shortcut_keeps_its_modifier)
+{
+    queue.push({.kind = Kind::key, .code = ui::key::left_control, .down = true});
+    queue.push({.kind = Kind::key, .code = 'Z', .down = true});
+    queue.push({.kind = Kind::key, .code = 'Z', .down = false});
+    queue.push({.kind = Kind::key, .code = ui::key::left_control, .down = false});
+    EXPECT_EQ(count_over_frames([] { return ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressed('Z', false) ? 1 : 0; }), 1);
+}
+
+TEST_F(QueueOverSlowFrames, lost_focus_releases_everything)
+{
+    queue.push({.kind = Kind::button, .code = 0, .down = true});
+    queue.push({.kind = Kind::key, .code = ui::key::left_shift, .down = true});
+    queue.push({.kind = Kind::focus, .down = false});
+    count_over_frames([] { return 0; });
+    EXPECT_FALSE(ImGui::GetIO().MouseDown[0]);
+    EXPECT_FALSE(ImGui::GetIO().KeyShift);
+}
+
+TEST_F(QueueOverSlowFrames, a_recording_replays_the_same_events)
+{
+    std::vector<ui::InputEvent> events = {{.kind = Kind::move, .at = {10.5f, 20}},
+                                          {.kind = Kind::button, .code = 1, .down = true},
+                                          {.kind = Kind::button, .code = 1, .down = false},
+                                          {.kind = Kind::wheel, .at = {0, -1}},
+                                          {.kind = Kind::key, .code = ui::key::home, .down = true},
+                                          {.kind = Kind::character, .code = 0x3b1},
+                                          {.kind = Kind::focus, .down = false}};
+    queue.start_recording();
+    for (const ui::InputEvent& event : events) queue.push(event);
+    count_over_frames([] { return 0; });
+    std::vector<ui::InputEvent> read;
+    for (const auto& frame : ui::parse_recording(queue.recording()))
+        read.insert(read.end(), frame.begin(), frame.end());
+    EXPECT_EQ(read, events);
+}
+
+}  // namespace
+}  // namespace fieldwright

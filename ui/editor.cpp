@@ -1,0 +1,121 @@
+// Layout of the window and the life of a gesture.
+#include "ui/editor.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+namespace fieldwright::ui {
+namespace {
+
+constexpr float splitter_px = 4;  // design px
+constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+
+// A child window with a background of its own; `draw` fills it.
+template <typename Draw>
+void pane(const char* name, ImVec2 position, ImVec2 size, ImU32 background, ImVec2 padding, ImGuiWindowFlags flags,
+          const Draw& draw)
+{
+    if (size.x < 1 || size.y < 1) return;
+    ImGui::SetCursorScreenPos(position);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, background);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::BeginChild(name, size, false, flags | ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    draw();
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+Editor::Output Editor::draw(graph::Document& document, const graph::Library& library, const Readings& readings,
+                            const Theme& theme)
+{
+    Output output;
+    Draft draft{document, library, {}, {}};
+    rects.begin_frame();
+    view.selection.keep_existing(document.root);
+    FrameContext frame{draft, view, readings, output.requests, theme, rects};
+
+    const ImGuiViewport& window = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(window.Pos);
+    ImGui::SetNextWindowSize(window.Size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("window", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     ImGuiWindowFlags_NoSavedSettings | pane_flags);
+    ImGui::PopStyleVar(2);
+    draw_panes(frame);
+    ImGui::End();
+
+    output.document_changed = !draft.step.empty();
+    if (output.document_changed) pending_step_ = draft.step;
+    output.hands_moving = ImGui::IsAnyItemActive() || canvas_.busy() || viewport_.busy();
+    if (!output.hands_moving) output.settled_step = std::exchange(pending_step_, {});
+    return output;
+}
+
+void Editor::draw_panes(FrameContext& frame)
+{
+    const Theme& theme = frame.theme;
+    Panes& panes = view.panes;
+    ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    float top = low.y + theme.menu_bar(), bottom = low.y + size.y - theme.status_line();
+    float side = panes.shown ? std::clamp(theme.px(panes.side_width), theme.px(280),
+                                          std::max(size.x - theme.px(320), theme.px(280)))
+                             : 0;
+    float height = bottom - top, left_width = size.x - side, bar = panes.shown ? theme.px(splitter_px) : 0;
+    float viewport_height = panes.shown ? std::floor(height * (1 - panes.canvas_share)) : height;
+    float inspector_height = std::floor(height * panes.inspector_share);
+
+    pane("viewport", {low.x, top}, {left_width - bar, viewport_height - bar}, colour::window, {0, 0}, pane_flags, [&] {
+        ImVec2 room = ImGui::GetWindowSize();
+        viewport_size_px_ = {static_cast<int>(room.x), static_cast<int>(room.y)};
+        viewport_.draw(frame);
+    });
+    if (!panes.shown) return;
+    pane("canvas", {low.x, top + viewport_height}, {left_width - bar, height - viewport_height}, colour::canvas, {0, 0},
+         pane_flags, [&] { canvas_.draw(frame); });
+    ImVec2 inset{theme.padding(), theme.padding()};
+    pane("inspector", {low.x + left_width, top}, {side, inspector_height - bar}, colour::panel, inset, 0,
+         [&] { inspector_.draw(frame); });
+    pane("panels", {low.x + left_width, top + inspector_height}, {side, height - inspector_height}, colour::panel,
+         inset, 0, [&] { panels_.draw(frame); });
+
+    float side_share = side / size.x;
+    ImGui::SetCursorScreenPos({low.x + left_width - bar, top});
+    splitter("side", false, side_share, theme.px(280), size.x - theme.px(320), size.x, frame);
+    panes.side_width = side_share * size.x / theme.scale;
+    ImGui::SetCursorScreenPos({low.x, top + viewport_height - bar});
+    splitter("canvas", true, panes.canvas_share, 0.1f * height, 0.9f * height, height, frame);
+    float inspector_rest = 1 - panes.inspector_share;
+    ImGui::SetCursorScreenPos({low.x + left_width, top + inspector_height - bar});
+    splitter("inspector", true, inspector_rest, 0.15f * height, 0.85f * height, height, frame);
+    panes.inspector_share = 1 - inspector_rest;
+}
+
+// A bar that moves the border between two panes; `share` is that of the pane after it.
+void Editor::splitter(const char* name, bool vertical, float& share, float low, float high, float length_px,
+                      FrameContext& frame)
+{
+    ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetWindowSize(), corner = ImGui::GetWindowPos();
+    float thickness = frame.theme.px(splitter_px);
+    bool right_column = vertical && std::string_view(name) == "inspector";
+    float side = frame.theme.px(view.panes.side_width);
+    ImVec2 size = vertical ? ImVec2(right_column ? side : room.x - side, thickness)
+                           : ImVec2(thickness, corner.y + room.y - frame.theme.status_line() - at.y);
+    ImRect bar(at, {at.x + size.x, at.y + size.y});
+    float after = share * length_px, before = length_px - after;
+    ImGui::PushStyleColor(ImGuiCol_Separator, ImVec4(0, 0, 0, 0));
+    ImGui::PushID(name);
+    if (ImGui::SplitterBehavior(bar, ImGui::GetID("splitter"), vertical ? ImGuiAxis_Y : ImGuiAxis_X, &before, &after,
+                                low, low, frame.theme.px(3)))
+        share = std::clamp(after, low, high) / length_px;
+    frame.rects.mark(std::string("splitter/") + name, {{bar.Min.x, bar.Min.y}, {bar.Max.x, bar.Max.y}});
+    ImGui::PopID();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace fieldwright::ui

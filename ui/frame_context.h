@@ -1,0 +1,23 @@
+// What every part of the window is given to draw one frame.
+#pragma once
+
+#include "ui/draft.h"
+#include "ui/icons.h"
+#include "ui/readings.h"
+#include "ui/requests.h"
+#include "ui/theme.h"
+#include "ui/view_state.h"
+#include "ui/widget_rects.h"
+
+namespace fieldwright::ui {
+
+struct FrameContext {
+    Draft& draft;
+    ViewState& view;
+    const Readings& readings;
+    std::vector<Request>& requests;
+    const Theme& theme;
+    WidgetRects& rects;
+};
+
+}  // namespace fieldwright::ui

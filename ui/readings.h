@@ -1,0 +1,78 @@
+// What the program knows and the window shows: plain values, filled by app before every frame.
+#pragma once
+
+#include "graph/program.h"
+
+#include <imgui.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fieldwright::ui {
+
+// The newest picture of the viewport.
+struct PictureReading {
+    ImTextureID texture = nullptr;  // null while there is none
+    int width = 0, height = 0;      // px it was drawn with
+    bool full = false;              // full resolution; else it is being refined
+    float progress = 0;             // of the picture being drawn, 0 to 1
+    float draw_ms = 0;
+    float mean_steps = 0;  // of eye rays
+    int max_steps = 0;
+    float exhausted_share = 0;       // of pixels out of steps
+    std::string device;              // "cpu", "gpu llvmpipe", ...
+    bool compiling = false;          // a shader is on its way
+    double pictures_per_second = 0;  // while something moves
+};
+
+struct Measured {  // the box around a surface; unbounded sides are 1e6
+    glm::vec3 centre{0}, half_size{0};
+};
+
+struct RecentFile {
+    std::string path;
+    bool missing = false;
+};
+
+struct Recovered {  // an autosave that a crash left behind
+    std::string id, title, when;
+};
+
+struct Readings {
+    // Lowered from the document of this frame.
+    std::shared_ptr<const graph::Program> program;
+    std::vector<graph::Problem> problems;            // the program's, the compiler's and the hot reload's
+    std::shared_ptr<const std::string> shader_text;  // live GLSL of the shown scene; null while none was asked for
+    std::vector<std::string> export_targets;         // "glsl", "shadertoy"
+
+    PictureReading picture;
+    std::vector<std::string> view_names, stereo_names;  // of `ViewState::view` and `stereo`
+    // What the picture shows at a pixel of it (top-left origin).
+    std::function<graph::NodeId(int x, int y)> node_at;
+    std::function<std::optional<float>(int x, int y)> depth_at;       // m along the view axis; nothing on a miss
+    std::function<std::optional<Measured>(graph::NodeId)> bounds_of;  // NodeId{} = the whole scene
+
+    // History.
+    std::vector<std::string> step_names;  // "start" first
+    std::size_t step = 0;
+
+    // File.
+    std::string file_name;  // "first.scene.json", or "untitled"
+    std::string file_path;  // empty while never saved
+    bool dirty = false;
+    bool changed_on_disk = false;
+    std::vector<RecentFile> recent;
+    std::vector<Recovered> recovered;
+    bool dialog_open = false;  // a native file dialog is up; the window waits for nothing
+
+    std::string status;  // last outcome worth saying: "Saved first.scene.json"
+    bool status_is_error = false;
+    double time_s = 0;  // of the scene, played or set
+    double frames_per_second = 0;
+    bool has_camera = false;  // the scene has a camera wired to its output
+};
+
+}  // namespace fieldwright::ui

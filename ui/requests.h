@@ -1,0 +1,48 @@
+// What the window asks of the program: done by app after the frame, in order.
+#pragma once
+
+#include "graph/problem.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fieldwright::ui {
+
+struct NewScene {};
+struct OpenFile {
+    std::string path;
+};
+struct SaveFile {};  // to where it came from
+struct SaveFileAs {
+    std::string path;
+};
+struct ExportFile {
+    std::string path, target;
+};
+struct ExportPicture {
+    std::string path;
+};  // the viewport's picture, full size, as PNG
+// Asks for a path by the system's dialog, or the built-in browser where there is none; the answer comes back as `then`.
+struct ChooseFile {
+    enum class Then { open, save_as, export_shader, export_picture } then;
+    std::string target;  // of export_shader
+};
+struct ForgetRecent {};
+struct Undo {};
+struct Redo {};
+struct JumpTo {
+    std::size_t step;
+};
+struct Recover {
+    std::string id;
+};
+struct DiscardRecovered {
+    std::string id;
+};
+struct Quit {};
+
+using Request = std::variant<NewScene, OpenFile, SaveFile, SaveFileAs, ExportFile, ExportPicture, ChooseFile,
+                             ForgetRecent, Undo, Redo, JumpTo, Recover, DiscardRecovered, Quit>;
+
+}  // namespace fieldwright::ui
