@@ -33,7 +33,8 @@ void print_json(const graph::Document& document, const graph::Program& program, 
               << "\n";
 }
 
-void print_lines(const std::filesystem::path& path, const graph::Document& document, const graph::Program& program, bool valid)
+void print_lines(const std::filesystem::path& path, const graph::Document& document, const graph::Program& program,
+                 bool valid)
 {
     for (const graph::Problem& problem : program.problems)
         std::cout << (is_error(problem) ? "error: " : "note: ") << node_label(document, problem.node) << ": "
@@ -45,7 +46,8 @@ void print_lines(const std::filesystem::path& path, const graph::Document& docum
 // A file that cannot be read into a document, for readers of JSON; the sentence goes to stderr as always.
 void print_refusal(const std::string& sentence)
 {
-    std::cout << Json{{"valid", false}, {"problems", {problem_json({{}, sentence})}}}.dump(2, ' ', false, Json::error_handler_t::replace)
+    std::cout << Json{{"valid", false}, {"problems", {problem_json({{}, sentence})}}}.dump(
+                     2, ' ', false, Json::error_handler_t::replace)
               << "\n";
 }
 
@@ -56,10 +58,8 @@ int check(const SceneArguments& arguments, bool json, const Session& session)
         graph::Document document = open_document(arguments, *library);
         graph::Program program = graph::lower(document, library);
         bool valid = std::none_of(program.problems.begin(), program.problems.end(), is_error);
-        if (json)
-            print_json(document, program, valid);
-        else
-            print_lines(arguments.path, document, program, valid);
+        if (json) print_json(document, program, valid);
+        else print_lines(arguments.path, document, program, valid);
         return valid ? 0 : 3;
     } catch (const graph::Failure& failure) {
         if (json && failure.exit_code == 3) print_refusal(failure.what());

@@ -4,11 +4,11 @@
 #include "field/evaluator.h"
 #include "renderer/devices.h"
 
+#include <unistd.h>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <iostream>
-#include <unistd.h>
 
 namespace fieldwright::app {
 namespace {
@@ -55,7 +55,8 @@ private:
 
 void skip_space(std::string_view& text)
 {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r')) text.remove_prefix(1);
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r'))
+        text.remove_prefix(1);
 }
 
 // `x y z`; nothing for a blank line or a comment.
@@ -90,12 +91,11 @@ void print(const std::vector<float>& distances)
 // Distances by the device that the user asked for.
 class Field {
 public:
-    Field(const graph::Program& program, const EvalArguments& arguments) : program_(program), time_(arguments.scene.time)
+    Field(const graph::Program& program, const EvalArguments& arguments)
+        : program_(program), time_(arguments.scene.time)
     {
-        if (arguments.device == "gpu")
-            gpu_.emplace();
-        else
-            block_ = field::evaluate_frame(program, time_);
+        if (arguments.device == "gpu") gpu_.emplace();
+        else block_ = field::evaluate_frame(program, time_);
     }
 
     std::vector<float> at(const std::vector<glm::vec3>& points)
@@ -149,7 +149,8 @@ void add_eval(CLI::App& parser, Session& session)
         ->capture_default_str();
     add_time(command, arguments->scene);
     add_changes(command, arguments->scene);
-    command.callback([arguments, &session] { session.action = [arguments, &session] { return evaluate(*arguments, session); }; });
+    command.callback(
+        [arguments, &session] { session.action = [arguments, &session] { return evaluate(*arguments, session); }; });
 }
 
 }  // namespace fieldwright::app

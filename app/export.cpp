@@ -38,7 +38,9 @@ void add_export(CLI::App& parser, Session& session)
         ->check(CLI::IsMember(codegen::export_targets()));
     command.add_option("-o,--output", arguments->output, "The shader file")->required();
     add_changes(command, arguments->scene);
-    command.callback([arguments, &session] { session.action = [arguments, &session] { return export_scene(*arguments, session); }; });
+    command.callback([arguments, &session] {
+        session.action = [arguments, &session] { return export_scene(*arguments, session); };
+    });
 }
 
 }  // namespace fieldwright::app

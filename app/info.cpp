@@ -37,7 +37,10 @@ void print_lines(const Json& machine)
     for (const auto& [name, value] : machine.items()) {
         std::string label = name;
         std::replace(label.begin(), label.end(), '_', ' ');
-        std::cout << label << ": " << (value.is_null() ? "none" : value.is_string() ? value.get<std::string>() : value.dump())
+        std::cout << label << ": "
+                  << (value.is_null()     ? "none"
+                      : value.is_string() ? value.get<std::string>()
+                                          : value.dump())
                   << "\n";
     }
 }
@@ -46,10 +49,8 @@ void print_lines(const Json& machine)
 
 void print_version(bool json)
 {
-    if (json)
-        std::cout << Json{{"version", FIELDWRIGHT_VERSION}}.dump() << "\n";
-    else
-        std::cout << "fieldwright " << FIELDWRIGHT_VERSION << "\n";
+    if (json) std::cout << Json{{"version", FIELDWRIGHT_VERSION}}.dump() << "\n";
+    else std::cout << "fieldwright " << FIELDWRIGHT_VERSION << "\n";
 }
 
 void add_info(CLI::App& parser, Session& session)
@@ -60,10 +61,8 @@ void add_info(CLI::App& parser, Session& session)
     command.callback([json, &session] {
         session.action = [json, &session] {
             Json found = machine(*session.library());
-            if (*json)
-                std::cout << found.dump(2) << "\n";
-            else
-                print_lines(found);
+            if (*json) std::cout << found.dump(2) << "\n";
+            else print_lines(found);
             return 0;
         };
     });

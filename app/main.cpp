@@ -30,7 +30,8 @@ int explain_words(const CLI::App& parser, const std::vector<std::string>& words)
     if (first.starts_with("-") || chosen)
         return complain("the argument `" + first + "` was not expected; see `fieldwright --help`", usage_error);
     std::string names;
-    for (const CLI::App* command : parser.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
+    for (const CLI::App* command : parser.get_subcommands({}))
+        names += (names.empty() ? "" : ", ") + command->get_name();
     return complain("`" + first + "` is neither a command nor a scene file; the commands are " + names, usage_error);
 }
 
@@ -41,11 +42,13 @@ int run(int argc, char** argv)
     CLI::App parser("Fieldwright: node graphs of signed distance fields, drawn by sphere tracing.", "fieldwright");
     parser.add_flag("--version", version, "Print the version and stop");
     parser.add_flag("--json", json, "With --version: as JSON");
-    for (auto add : {app::add_render, app::add_eval, app::add_check, app::add_export, app::add_nodes, app::add_new, app::add_info})
+    for (auto add :
+         {app::add_render, app::add_eval, app::add_check, app::add_export, app::add_nodes, app::add_new, app::add_info})
         add(parser, session);
     constexpr auto shaders_help = "Read node files and shading from this folder instead of those built in";
     parser.add_option("--shaders", session.shaders, shaders_help);
-    for (CLI::App* command : parser.get_subcommands({})) command->add_option("--shaders", session.shaders, shaders_help);
+    for (CLI::App* command : parser.get_subcommands({}))
+        command->add_option("--shaders", session.shaders, shaders_help);
     parser.allow_extras();
     try {
         parser.parse(argc, argv);

@@ -19,7 +19,8 @@ int make_scene(const NewArguments& arguments, const Session& session)
     auto library = session.library();
     const graph::NodeType* type = library->type(arguments.node);
     if (!type)
-        throw graph::Failure(2, "--node: there is no node type `" + arguments.node + "`; `fieldwright nodes` lists them all");
+        throw graph::Failure(
+            2, "--node: there is no node type `" + arguments.node + "`; `fieldwright nodes` lists them all");
     StarterScene scene(library, *type);
     for (const std::string& setting : arguments.settings) {
         auto [parameter, value] = split_assignment(setting);
@@ -38,9 +39,11 @@ void add_new(CLI::App& parser, Session& session)
     CLI::App& command = *parser.add_subcommand("new", "Make a small lit scene around one node");
     command.add_option("-o,--output", arguments->output, "The scene file (*.scene.json)")->required();
     command.add_option("--node", arguments->node, "The node's type; `fieldwright nodes` lists them")->required();
-    command.add_option("--set", arguments->settings, "Set a parameter of that node: parameter=value; angles in degrees")
+    command
+        .add_option("--set", arguments->settings, "Set a parameter of that node: parameter=value; angles in degrees")
         ->allow_extra_args(false);
-    command.callback([arguments, &session] { session.action = [arguments, &session] { return make_scene(*arguments, session); }; });
+    command.callback(
+        [arguments, &session] { session.action = [arguments, &session] { return make_scene(*arguments, session); }; });
 }
 
 }  // namespace fieldwright::app

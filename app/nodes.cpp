@@ -84,7 +84,8 @@ Json type_json(const NodeType& type)
 {
     Json json = {{"name", type.name}, {"category", type.category}, {"title", type.title}, {"help", type.help}};
     if (type.is_field())
-        json["field"] = {{"outside", quality_name(type.quality_outside)}, {"inside", quality_name(type.quality_inside)}};
+        json["field"] = {{"outside", quality_name(type.quality_outside)},
+                         {"inside", quality_name(type.quality_inside)}};
     json["synonyms"] = type.synonyms;
     json["inputs"] = Json::array();
     for (const graph::Socket& socket : type.inputs)

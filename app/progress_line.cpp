@@ -1,8 +1,8 @@
 // Progress on stderr, at most ten times a second on a terminal and every five seconds in a log.
 #include "app/progress_line.h"
 
-#include <cstdio>
 #include <unistd.h>
+#include <cstdio>
 
 namespace fieldwright::app {
 

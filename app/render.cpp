@@ -37,8 +37,7 @@ std::string size_error(const std::string& text)
 {
     auto size = parse_size(text);
     if (!size) return "`" + text + "` is not a size; write WIDTHxHEIGHT in pixels, such as 960x540";
-    if (std::max(size->first, size->second) > side_limit_px ||
-        std::int64_t{size->first} * size->second > area_limit_px)
+    if (std::max(size->first, size->second) > side_limit_px || std::int64_t{size->first} * size->second > area_limit_px)
         return "a picture has at most 16384 pixels a side and 64 million in all";
     return {};
 }
@@ -46,7 +45,8 @@ std::string size_error(const std::string& text)
 std::string png_error(const std::string& text)
 {
     std::string extension = std::filesystem::path(text).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
     return extension == ".png" ? "" : "pictures are written as .png only; rename `" + text + "`";
 }
 
@@ -67,8 +67,7 @@ std::optional<renderer::GpuDevice> choose_gpu(const std::string& device, const g
 class Drawing {
 public:
     Drawing(const RenderArguments& arguments, const graph::Program& program)
-        : arguments_(arguments), program_(program), gpu_(choose_gpu(arguments.device, program)),
-          line_(!arguments.quiet)
+        : arguments_(arguments), program_(program), gpu_(choose_gpu(arguments.device, program)), line_(!arguments.quiet)
     {
         std::tie(request_.width, request_.height) = *parse_size(arguments.size);
         request_.time = arguments.scene.time;
@@ -81,7 +80,8 @@ public:
         renderer::View view = *renderer::view_from_name(arguments_.view);
         renderer::Stereo stereo = *renderer::stereo_from_name(arguments_.stereo);
         int step_limit = program_.march.step_limit;
-        if (stereo == renderer::Stereo::off) return renderer::picture(frame(renderer::Eye::centre, 0, 1), view, step_limit);
+        if (stereo == renderer::Stereo::off)
+            return renderer::picture(frame(renderer::Eye::centre, 0, 1), view, step_limit);
         renderer::Frame left = frame(renderer::Eye::left, 0, 0.5f);
         renderer::Frame right = frame(renderer::Eye::right, 0.5f, 0.5f);
         return renderer::anaglyph(left, right, view, step_limit, stereo);
@@ -149,7 +149,8 @@ void add_render(CLI::App& parser, Session& session)
     add_time(command, arguments->scene);
     add_changes(command, arguments->scene);
     command.add_flag("-q,--quiet", arguments->quiet, "No progress on stderr");
-    command.callback([arguments, &session] { session.action = [arguments, &session] { return render(*arguments, session); }; });
+    command.callback(
+        [arguments, &session] { session.action = [arguments, &session] { return render(*arguments, session); }; });
 }
 
 }  // namespace fieldwright::app

@@ -46,7 +46,8 @@ NodeId find_node(const Document& document, const std::string& word)
     }
     std::vector<const Node*> found = nodes_where(document, [&](const Node& node) { return node.name == word; });
     if (found.empty()) found = nodes_where(document, [&](const Node& node) { return node.type == word; });
-    if (found.empty()) throw Failure(2, "--set: the scene has no node named `" + word + "`; use a node's name or its id");
+    if (found.empty())
+        throw Failure(2, "--set: the scene has no node named `" + word + "`; use a node's name or its id");
     if (found.size() == 1) return found.front()->id;
     std::string ids;
     for (const Node* node : found) ids += (ids.empty() ? "" : ", ") + std::to_string(node->id.number);

@@ -58,7 +58,8 @@ void StarterScene::compose()
 NodeId StarterScene::place(std::string_view type)
 {
     NodeId node = graph::add_node(document, *library_, type);
-    if (!node) throw graph::Failure(1, "the library has no node `" + std::string(type) + "`, which a small scene needs");
+    if (!node)
+        throw graph::Failure(1, "the library has no node `" + std::string(type) + "`, which a small scene needs");
     return node;
 }
 
@@ -209,7 +210,8 @@ void StarterScene::lay_out()
     std::map<int, int> rows;
     for (const Node& node : std::vector<Node>(document.root.nodes)) {
         int depth = column.contains(node.id) ? column[node.id] : 1;
-        require(graph::move_node(document, node.id, {-220.0f * static_cast<float>(depth), 120.0f * static_cast<float>(rows[depth]++)}));
+        require(graph::move_node(document, node.id,
+                                 {-220.0f * static_cast<float>(depth), 120.0f * static_cast<float>(rows[depth]++)}));
     }
 }
 

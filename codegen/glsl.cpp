@@ -39,11 +39,12 @@ std::string device_inputs(const graph::Program& program, bool reads_block)
 {
     std::string text;
     if (reads_block)
-        text += "layout(std140) uniform Parameters {\n    vec4 block[" + std::to_string(std::max<std::size_t>(1, program.block.size() / 4)) +
-                "];\n};\n\n";
+        text += "layout(std140) uniform Parameters {\n    vec4 block[" +
+                std::to_string(std::max<std::size_t>(1, program.block.size() / 4)) + "];\n};\n\n";
     text += list_reader;
-    return text + "uniform samplerBuffer list_texture;\n\nvec4 list_at(List list, int index)\n{\n"
-                  "    return texelFetch(list_texture, list.first + index);\n}\n\n";
+    return text +
+           "uniform samplerBuffer list_texture;\n\nvec4 list_at(List list, int index)\n{\n"
+           "    return texelFetch(list_texture, list.first + index);\n}\n\n";
 }
 
 std::string device_shader(const graph::Program& program, std::span<const float> block, Placement placement,
@@ -88,8 +89,8 @@ std::string export_lists(const graph::Program& program)
     std::string text = list_reader + ("const vec4 LIST_DATA[" + count + "] = vec4[" + count + "](\n");
     for (std::size_t i = 0; i < points.size(); ++i) {
         const glm::vec4& point = points[i];
-        text += "    vec4(" + number(point.x) + ", " + number(point.y) + ", " + number(point.z) + ", " + number(point.w) + ")" +
-                (i + 1 < points.size() ? ",\n" : ");\n\n");
+        text += "    vec4(" + number(point.x) + ", " + number(point.y) + ", " + number(point.z) + ", " +
+                number(point.w) + ")" + (i + 1 < points.size() ? ",\n" : ");\n\n");
     }
     return text + "vec4 list_at(List list, int index)\n{\n    return LIST_DATA[list.first + index];\n}\n\n";
 }
@@ -97,11 +98,13 @@ std::string export_lists(const graph::Program& program)
 std::string march_constants(const graph::Program& program)
 {
     const graph::MarchSettings& march = program.march;
-    return "// Marching: step limit, minimum step, tolerance, near, far, out of steps hits, occlusion strength and radius.\n"
-           "const March MARCH = March(" + std::to_string(march.step_limit) + ", " + number(march.minimum_step) + ", " +
-           number(march.tolerance) + ", " + number(march.near) + ", " + number(march.far) + ", " +
-           (march.out_of_steps_hits ? "1" : "0") + ", " + number(program.occlusion.strength) + ", " +
-           number(program.occlusion.radius) + ");\nconst int STEP_BUDGET = " + std::to_string(program.step_budget) + ";\n\n";
+    return "// Marching: step limit, minimum step, tolerance, near, far, out of steps hits, occlusion strength and "
+           "radius.\n"
+           "const March MARCH = March(" +
+           std::to_string(march.step_limit) + ", " + number(march.minimum_step) + ", " + number(march.tolerance) +
+           ", " + number(march.near) + ", " + number(march.far) + ", " + (march.out_of_steps_hits ? "1" : "0") + ", " +
+           number(program.occlusion.strength) + ", " + number(program.occlusion.radius) +
+           ");\nconst int STEP_BUDGET = " + std::to_string(program.step_budget) + ";\n\n";
 }
 
 std::map<graph::NodeId, std::string> safe_names(const graph::Document& document)
@@ -147,12 +150,14 @@ std::string print_export(const graph::Program& program, const graph::Document& d
     std::string frame = printer.frame_globals();
     std::string scene = printer.scene_functions();
     std::string text;
-    if (target == "glsl") text += "#version 330\n\nuniform vec2 resolution;  // pixels\nuniform float time;       // seconds\n\n";
+    if (target == "glsl")
+        text += "#version 330\n\nuniform vec2 resolution;  // pixels\nuniform float time;       // seconds\n\n";
     else text += "// Made with Fieldwright for Shadertoy: paste into the Image tab.\n\nfloat time;\n\n";
     std::string nodes = printer.node_functions();
     if (nodes.find("List ") != std::string::npos) text += export_lists(program);
     text += library_texts(program, field_files);
-    for (const char* file : {"render/march.glsl", "render/shading.glsl", "render/views.glsl"}) text += program.library->text(file) + "\n";
+    for (const char* file : {"render/march.glsl", "render/shading.glsl", "render/views.glsl"})
+        text += program.library->text(file) + "\n";
     text += nodes + march_constants(program) + frame + scene;
     text += program.library->text("gpu/pixel.glsl") + "\n";
     return text + program.library->text(target == "glsl" ? "export/glsl.glsl" : "export/shadertoy.glsl");

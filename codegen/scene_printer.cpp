@@ -39,7 +39,8 @@ void append_float(std::string& out, float number)
     out += 'f';
 }
 
-ScenePrinter::ScenePrinter(const graph::Program& program, std::span<const float> block, Placement placement, NodeName node_name)
+ScenePrinter::ScenePrinter(const graph::Program& program, std::span<const float> block, Placement placement,
+                           NodeName node_name)
     : program_(program), block_(block), placement_(placement), node_name_(std::move(node_name))
 {
 }
@@ -78,8 +79,11 @@ std::string ScenePrinter::node_functions() const
         std::vector<const graph::Function*> used;
         const auto& functions = type->source.functions;
         for (auto function = functions.rbegin(); function != functions.rend(); ++function) {
-            auto calls_it = [&](const graph::Function* caller) { return caller->text.find(function->name + "(") != std::string::npos; };
-            if (wanted.contains(function->name) || std::any_of(used.begin(), used.end(), calls_it)) used.push_back(&*function);
+            auto calls_it = [&](const graph::Function* caller) {
+                return caller->text.find(function->name + "(") != std::string::npos;
+            };
+            if (wanted.contains(function->name) || std::any_of(used.begin(), used.end(), calls_it))
+                used.push_back(&*function);
         }
         if (used.empty()) continue;
         text += "// " + type->category + "/" + type->name + "\n";
@@ -109,7 +113,7 @@ std::string ScenePrinter::scene_functions()
     }
     choose += "    return Light(vec3(0.0f, 1.0f, 0.0f), 0.0f, vec3(0.0f, 0.0f, 0.0f));\n}\n\n";
     functions_ += choose + "const int LIGHT_COUNT = " + std::to_string(program_.lights.size()) +
-           ";\nconst int SHADOW_COUNT = " + std::to_string(shadows) + ";\n\n";
+                  ";\nconst int SHADOW_COUNT = " + std::to_string(shadows) + ";\n\n";
     return std::move(functions_);
 }
 
@@ -177,7 +181,8 @@ std::vector<ScenePrinter::Item> ScenePrinter::items(std::int32_t first, std::int
     return result;
 }
 
-void ScenePrinter::level(std::string& out, std::int32_t first, std::int32_t last, std::span<const ValueId> results, int indent)
+void ScenePrinter::level(std::string& out, std::int32_t first, std::int32_t last, std::span<const ValueId> results,
+                         int indent)
 {
     std::vector<Item> all = items(first, last);
     if (all.size() <= largest_part) {
@@ -192,7 +197,8 @@ void ScenePrinter::level(std::string& out, std::int32_t first, std::int32_t last
 }
 
 // Where, 64 to 128 items on, the fewest values defined since `first` are read later; the latest such place.
-std::size_t ScenePrinter::best_cut(const std::vector<Item>& items, std::size_t first, const std::vector<std::uint32_t>& last_use) const
+std::size_t ScenePrinter::best_cut(const std::vector<Item>& items, std::size_t first,
+                                   const std::vector<std::uint32_t>& last_use) const
 {
     std::size_t last = first + largest_part;
     if (last >= items.size()) return items.size();
@@ -214,7 +220,8 @@ std::size_t ScenePrinter::best_cut(const std::vector<Item>& items, std::size_t f
 }
 
 // Cuts a level into runs of items where few values are alive.
-std::vector<ScenePrinter::Part> ScenePrinter::parts(const std::vector<Item>& items, std::span<const ValueId> results) const
+std::vector<ScenePrinter::Part> ScenePrinter::parts(const std::vector<Item>& items,
+                                                    std::span<const ValueId> results) const
 {
     constexpr std::uint32_t never = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> defined(program_.values.size(), never), last_use(program_.values.size(), 0);
@@ -230,8 +237,10 @@ std::vector<ScenePrinter::Part> ScenePrinter::parts(const std::vector<Item>& ite
         Part part{first, best, {}, {}};
         for (std::size_t i = first; i < best; ++i) {
             for_each_use(items[i], [&](ValueId id) {
-                bool outside = !in_block(id) && (defined[static_cast<std::size_t>(id)] == never || defined[static_cast<std::size_t>(id)] < first);
-                if (outside && std::find(part.inputs.begin(), part.inputs.end(), id) == part.inputs.end()) part.inputs.push_back(id);
+                bool outside = !in_block(id) && (defined[static_cast<std::size_t>(id)] == never ||
+                                                 defined[static_cast<std::size_t>(id)] < first);
+                if (outside && std::find(part.inputs.begin(), part.inputs.end(), id) == part.inputs.end())
+                    part.inputs.push_back(id);
             });
             for_each_definition(items[i], [&](ValueId id) {
                 if (last_use[static_cast<std::size_t>(id)] >= best) part.outputs.push_back(id);
@@ -326,7 +335,8 @@ void ScenePrinter::call(std::string& out, const Instruction& instruction)
 void ScenePrinter::block(std::string& out, const Item& item, int indent)
 {
     const Instruction& instruction = program_.instructions[static_cast<std::size_t>(item.instruction)];
-    std::span carried(program_.carried.data() + instruction.first_carried, static_cast<std::size_t>(instruction.carried_count));
+    std::span carried(program_.carried.data() + instruction.first_carried,
+                      static_cast<std::size_t>(instruction.carried_count));
     std::vector<ValueId> next;
     for (const graph::Carried& pair : carried) {
         append_indent(out, indent);

@@ -13,7 +13,8 @@ public:
     // Empty names: identifiers n<node>_<value>. Else `name(node)` begins each identifier (exports).
     using NodeName = std::function<std::string(graph::NodeId)>;
 
-    ScenePrinter(const graph::Program& program, std::span<const float> block, Placement placement, NodeName node_name = {});
+    ScenePrinter(const graph::Program& program, std::span<const float> block, Placement placement,
+                 NodeName node_name = {});
 
     // Constants and functions of node files that the program calls, callees first.
     std::string node_functions() const;
@@ -38,7 +39,8 @@ private:
     void function(std::string_view result_type, std::string_view name, const graph::Entry& entry);
     std::string entry_result(const graph::Entry& entry, std::string_view result_type);
     std::vector<Item> items(std::int32_t first, std::int32_t last) const;
-    void level(std::string& out, std::int32_t first, std::int32_t last, std::span<const graph::ValueId> results, int indent);
+    void level(std::string& out, std::int32_t first, std::int32_t last, std::span<const graph::ValueId> results,
+               int indent);
     std::vector<Part> parts(const std::vector<Item>& items, std::span<const graph::ValueId> results) const;
     void part_function(const std::vector<Item>& items, const Part& part);
     void part_call(std::string& out, const Part& part, int indent);
@@ -49,7 +51,8 @@ private:
     void for_each_use(const Item& item, const Visit& visit) const;
     template <typename Visit>
     void for_each_definition(const Item& item, const Visit& visit) const;
-    std::size_t best_cut(const std::vector<Item>& items, std::size_t first, const std::vector<std::uint32_t>& last_use) const;
+    std::size_t best_cut(const std::vector<Item>& items, std::size_t first,
+                         const std::vector<std::uint32_t>& last_use) const;
 
     void name(std::string& out, graph::ValueId value) const;
     void reference(std::string& out, graph::ValueId value);

@@ -20,9 +20,12 @@ struct KernelSource {
 
 bool kernelable(const Function& function)
 {
-    auto fits = [](const Type& type) { return type.base != BaseType::none && type.name != "Camera" && type.name != "Sky"; };
+    auto fits = [](const Type& type) {
+        return type.base != BaseType::none && type.name != "Camera" && type.name != "Sky";
+    };
     return fits(function.result) && function.result.base != BaseType::list &&
-           std::all_of(function.arguments.begin(), function.arguments.end(), [&](const Argument& a) { return fits(a.type); });
+           std::all_of(function.arguments.begin(), function.arguments.end(),
+                       [&](const Argument& a) { return fits(a.type); });
 }
 
 // An expression that builds a value of a type from lanes; `lane(k)` is the expression of lane k.
@@ -84,7 +87,8 @@ std::string stored(const Library& library, const Type& type, const std::string& 
     std::string text;
     for (const StructDeclaration& declared : library.structs())
         if (declared.name == type.name)
-            for (const auto& member : declared.members) text += stored(library, member.type, value + "." + member.name, k);
+            for (const auto& member : declared.members)
+                text += stored(library, member.type, value + "." + member.name, k);
     return text;
 }
 
@@ -92,7 +96,8 @@ std::string kernel(const Library& library, const KernelSource& source, bool unif
 {
     const Function& function = *source.function;
     std::string text = "static void " + function.name + (uniform ? "_uniform" : "_varying") +
-                       "(float* __restrict r, const float* const* a, const glm::vec4* list_data, int count)\n{\n    (void)list_data;\n";
+                       "(float* __restrict r, const float* const* a, const glm::vec4* list_data, int count)\n{\n    "
+                       "(void)list_data;\n";
     std::string arguments;
     for (std::size_t n = 0; n < function.arguments.size(); ++n) {
         const Type& type = function.arguments[n].type;
@@ -101,19 +106,22 @@ std::string kernel(const Library& library, const KernelSource& source, bool unif
         int k = 0;
         std::string argument;
         if (type.base == BaseType::list) {
-            text += "    const List l" + std::to_string(n) + "{list_data + int(" + name + "[0]), int(" + name + "[1])};\n";
+            text +=
+                "    const List l" + std::to_string(n) + "{list_data + int(" + name + "[0]), int(" + name + "[1])};\n";
             argument = "l" + std::to_string(n);
         } else if (uniform && source.single[n]) {
-            std::string value = loaded(library, type, k, [&](int lane) { return name + "[" + std::to_string(lane) + "]"; });
+            std::string value =
+                loaded(library, type, k, [&](int lane) { return name + "[" + std::to_string(lane) + "]"; });
             text += "    const " + type.name + " s" + std::to_string(n) + " = " + value + ";\n";
             argument = "s" + std::to_string(n);
         } else {
-            argument = loaded(library, type, k, [&](int lane) { return name + "[" + std::to_string(lane) + " * row_width + i]"; });
+            argument = loaded(library, type, k,
+                              [&](int lane) { return name + "[" + std::to_string(lane) + " * row_width + i]"; });
         }
         arguments += (n > 0 ? ", " : "") + argument;
     }
-    text += "#pragma GCC ivdep\n    for (int i = 0; i < count; i++) {\n        const " + function.result.name + " v = " +
-            function.name + "(" + arguments + ");\n";
+    text += "#pragma GCC ivdep\n    for (int i = 0; i < count; i++) {\n        const " + function.result.name +
+            " v = " + function.name + "(" + arguments + ");\n";
     int k = 0;
     return text + stored(library, function.result, "v", k) + "    }\n}\n\n";
 }
@@ -124,14 +132,20 @@ public:
     {
         for (const SourceFile& file : library.render_files()) add_file(file, nullptr);
         for (const NodeType* type : library.types()) add_file(type->source, type);
-        std::sort(kernels_.begin(), kernels_.end(), [](const auto& a, const auto& b) { return a.function->name < b.function->name; });
+        std::sort(kernels_.begin(), kernels_.end(),
+                  [](const auto& a, const auto& b) { return a.function->name < b.function->name; });
     }
 
     std::string text(const std::string& instruction_set) const
     {
-        std::string text = "// Generated from the shader texts; do not edit.\n#include \"field/dialect.h\"\n#include \"field/kernel.h\"\n\n"
-                           "namespace fieldwright::field::" + instruction_set + " {\n\nFIELDWRIGHT_DIALECT_TYPES\n#include "
-                           "\"field/dialect_functions.inc\"\n\n" + source_;
+        std::string text =
+            "// Generated from the shader texts; do not edit.\n#include \"field/dialect.h\"\n#include "
+            "\"field/kernel.h\"\n\n"
+            "namespace fieldwright::field::" +
+            instruction_set +
+            " {\n\nFIELDWRIGHT_DIALECT_TYPES\n#include "
+            "\"field/dialect_functions.inc\"\n\n" +
+            source_;
         for (const KernelSource& source : kernels_) {
             if (source.has_single) text += kernel(library_, source, true);
             text += kernel(library_, source, false);
@@ -139,7 +153,8 @@ public:
         text += "static const KernelEntry entries[] = {\n";
         for (const KernelSource& source : kernels_) {
             const std::string& name = source.function->name;
-            text += "    {\"" + name + "\", " + name + (source.has_single ? "_uniform, " : "_varying, ") + name + "_varying},\n";
+            text += "    {\"" + name + "\", " + name + (source.has_single ? "_uniform, " : "_varying, ") + name +
+                    "_varying},\n";
         }
         return text + "};\n\nextern const KernelTable table;\nconst KernelTable table = {\"" + instruction_set +
                "\", entries, entries + sizeof(entries) / sizeof(entries[0])};\n\n}\n";

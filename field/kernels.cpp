@@ -10,10 +10,16 @@
 
 namespace fieldwright::field {
 
-namespace base { extern const KernelTable table; }
+namespace base {
+extern const KernelTable table;
+}
 #ifdef FIELDWRIGHT_X86
-namespace avx2 { extern const KernelTable table; }
-namespace avx512 { extern const KernelTable table; }
+namespace avx2 {
+extern const KernelTable table;
+}
+namespace avx512 {
+extern const KernelTable table;
+}
 #endif
 
 namespace {
@@ -39,7 +45,8 @@ const KernelTable& chosen()
     if (!wanted || !*wanted) return *tables.front();
     for (const KernelTable* table : tables)
         if (table->instruction_set == wanted) return *table;
-    throw graph::Failure(2, "FIELDWRIGHT_ISA=" + std::string(wanted) + ": this processor does not run it; unset the variable");
+    throw graph::Failure(
+        2, "FIELDWRIGHT_ISA=" + std::string(wanted) + ": this processor does not run it; unset the variable");
 }
 
 }  // namespace
@@ -59,8 +66,9 @@ const KernelTable* const* runnable_kernels(int& count)
 
 const KernelEntry* find_kernel(const KernelTable& table, std::string_view function)
 {
-    const KernelEntry* found = std::lower_bound(
-        table.begin, table.end, function, [](const KernelEntry& entry, std::string_view name) { return entry.function < name; });
+    const KernelEntry* found =
+        std::lower_bound(table.begin, table.end, function,
+                         [](const KernelEntry& entry, std::string_view name) { return entry.function < name; });
     return found != table.end && found->function == function ? found : nullptr;
 }
 

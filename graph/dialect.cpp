@@ -18,18 +18,20 @@ struct Token {
     std::size_t offset;
 };
 
-constexpr std::array forbidden_words = {"out",     "inout",  "in",      "while",   "do",       "switch",  "goto",
-                                        "uniform", "varying", "attribute", "layout", "texture",  "discard", "inverse",
-                                        "double",  "union",  "template", "class",   "namespace", "using",  "inversesqrt"};
+constexpr std::array forbidden_words = {"out",       "inout",   "in",         "while",     "do",       "switch",
+                                        "goto",      "uniform", "varying",    "attribute", "layout",   "texture",
+                                        "discard",   "inverse", "double",     "union",     "template", "class",
+                                        "namespace", "using",   "inversesqrt"};
 
 constexpr std::array reserved_names = {
-    "active",  "asm",      "atomic_uint", "auto",   "buffer", "case",     "catch",   "char",   "common",   "default",
-    "delete",  "enum",     "explicit",    "export", "extern", "external", "filter",  "fixed",  "friend",   "half",
-    "highp",   "image2D",  "inline",      "input",  "interface", "long",  "lowp",    "mediump", "new",     "noinline",
-    "operator", "output",  "partition",   "precision", "private", "protected", "public", "register", "resource", "sample",
-    "short",   "signed",   "sizeof",      "smooth", "static", "subroutine", "superp", "this",  "throw",    "try",
-    "typedef", "typename", "unsigned",    "virtual", "volatile", "flat",  "centroid", "patch", "xor",      "and",
-    "or",      "not",      "register",    "restrict"};
+    "active",    "asm",       "atomic_uint", "auto",      "buffer",   "case",       "catch",    "char",
+    "common",    "default",   "delete",      "enum",      "explicit", "export",     "extern",   "external",
+    "filter",    "fixed",     "friend",      "half",      "highp",    "image2D",    "inline",   "input",
+    "interface", "long",      "lowp",        "mediump",   "new",      "noinline",   "operator", "output",
+    "partition", "precision", "private",     "protected", "public",   "register",   "resource", "sample",
+    "short",     "signed",    "sizeof",      "smooth",    "static",   "subroutine", "superp",   "this",
+    "throw",     "try",       "typedef",     "typename",  "unsigned", "virtual",    "volatile", "flat",
+    "centroid",  "patch",     "xor",         "and",       "or",       "not",        "register", "restrict"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)
@@ -40,9 +42,9 @@ bool contains(const List& list, std::string_view word)
 BaseType base_type(std::string_view word)
 {
     static const std::map<std::string_view, BaseType> types = {
-        {"float", BaseType::real}, {"int", BaseType::integer}, {"bool", BaseType::boolean}, {"vec2", BaseType::vec2},
-        {"vec3", BaseType::vec3},  {"vec4", BaseType::vec4},   {"mat2", BaseType::mat2},    {"mat3", BaseType::mat3},
-        {"List", BaseType::list}};
+        {"float", BaseType::real}, {"int", BaseType::integer}, {"bool", BaseType::boolean},
+        {"vec2", BaseType::vec2},  {"vec3", BaseType::vec3},   {"vec4", BaseType::vec4},
+        {"mat2", BaseType::mat2},  {"mat3", BaseType::mat3},   {"List", BaseType::list}};
     auto found = types.find(word);
     return found == types.end() ? BaseType::none : found->second;
 }
@@ -222,12 +224,9 @@ private:
 
     void declaration()
     {
-        if (peek().text == "struct")
-            structure();
-        else if (peek().text == "const")
-            constant();
-        else
-            function();
+        if (peek().text == "struct") structure();
+        else if (peek().text == "const") constant();
+        else function();
     }
 
     std::string text_from(std::size_t first_offset, const Token& last) const
@@ -349,7 +348,8 @@ private:
 
     double callee_iterations(const Function& caller, const Token& name) const
     {
-        if (name.text == caller.name) fail(name, "`" + caller.name + "` calls itself; recursion is not part of the dialect");
+        if (name.text == caller.name)
+            fail(name, "`" + caller.name + "` calls itself; recursion is not part of the dialect");
         for (const Function& other : file_.functions)
             if (other.name == name.text) return other.loop_iterations;
         return 0;

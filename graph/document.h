@@ -1,5 +1,5 @@
 // A scene as a value: nodes, wires (stored once, at the input) and march settings. Always acyclic, typed, finite and
-// unique by construction; changed only through graph/edits.h and graph/scene_file.h.
+// unique by construction; changed only through graph/edits.h, graph/adapt.h and graph/scene_file.h.
 #pragma once
 
 #include "graph/problem.h"
@@ -15,8 +15,8 @@ namespace fieldwright::graph {
 
 struct Node {
     NodeId id;
-    std::string type;   // a node type's name; may be unknown to this build
-    std::string name;   // the user's; empty shows the type's title
+    std::string type;          // a node type's name; may be unknown to this build
+    std::string name;          // the user's; empty shows the type's title
     glm::vec2 position{0, 0};  // on the canvas, pixels at zoom 1
     bool muted = false;
     std::vector<std::pair<std::string, Value>> parameters;  // every parameter of the type, in declaration order
@@ -57,7 +57,7 @@ struct Document {
     MarchSettings march;
     OcclusionSettings occlusion;
     Graph root;
-    int version = 1;     // of the file it came from; newer than ours = opened with placeholders
+    int version = 1;  // of the file it came from; newer than ours = opened with placeholders
     std::vector<std::pair<std::string, std::string>> extras;  // unknown top-level members: key -> JSON text
     bool operator==(const Document&) const = default;
 };

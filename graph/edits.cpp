@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace fieldwright::graph {
 namespace {
@@ -143,6 +144,33 @@ Refusal node_error(const Document& document, const Library& library, const Node&
     return parameters_error(node, *type);
 }
 
+void assign_input(Node& node, std::string_view socket, NodeId source)
+{
+    auto place = input_place(node, socket);
+    bool wired = place != node.inputs.end() && place->first == socket;
+    if (wired && source) place->second = source;
+    else if (wired) node.inputs.erase(place);
+    else if (source) node.inputs.emplace(place, std::string(socket), source);
+}
+
+// What speaks against wires that the graph has already; the others are known to be good.
+Refusal new_wires_error(const Document& document, const Library& library, const std::vector<Wire>& wires)
+{
+    if (wire_count(document.root) > wire_limit) return "a scene has at most " + std::to_string(wire_limit) + " wires";
+    std::set<std::pair<NodeId, std::string_view>> fresh;
+    for (const Wire& wire : wires) fresh.emplace(wire.target, wire.socket);
+    WireRules rules(document.root, library);
+    for (const Node& node : document.root.nodes)
+        for (const auto& [socket, source] : node.inputs)
+            if (!fresh.contains({node.id, socket})) rules.add(source, node.id, socket);
+    for (const auto& [target, socket] : fresh)
+        if (NodeId source = document.root.find(target)->input(socket))
+            if (Refusal refusal = rules.add(source, target, socket)) return refusal;
+    if (std::vector<NodeId> cycle = find_cycle(document.root); !cycle.empty())
+        return "the wires would make a cycle: " + cycle_text(cycle);
+    return std::nullopt;
+}
+
 }  // namespace
 
 NodeId add_node(Document& document, const Library& library, std::string_view type_name, glm::vec2 position)
@@ -169,6 +197,16 @@ Refusal remove_node(Document& document, NodeId id)
     return std::nullopt;
 }
 
+Refusal remove_nodes(Document& document, const std::set<NodeId>& nodes)
+{
+    for (NodeId id : nodes)
+        if (!document.root.find(id)) return no_node(id);
+    std::erase_if(document.root.nodes, [&](const Node& node) { return nodes.contains(node.id); });
+    for (Node& node : document.root.nodes)
+        std::erase_if(node.inputs, [&](const auto& input) { return nodes.contains(input.second); });
+    return std::nullopt;
+}
+
 Refusal connect(Document& document, const Library& library, NodeId source, NodeId target, std::string_view socket)
 {
     Refusal refusal;
@@ -179,10 +217,25 @@ Refusal connect(Document& document, const Library& library, NodeId source, NodeI
     if (reaches(document.root, source, target))
         return "wiring " + described(*document.root.find(source)) + " to `" + std::string(socket) + "` of " +
                described(*node) + " would make a cycle";
-    auto place = input_place(*node, socket);
-    if (place != node->inputs.end() && place->first == socket) place->second = source;
-    else node->inputs.emplace(place, std::string(socket), source);
+    assign_input(*node, socket, source);
     return std::nullopt;
+}
+
+Refusal connect_all(Document& document, const Library& library, const std::vector<Wire>& wires)
+{
+    std::map<NodeId, std::vector<std::pair<std::string, NodeId>>> before;
+    for (const Wire& wire : wires) {
+        Refusal refusal;
+        const Node* target = editable(document, wire.target, refusal);
+        if (!target) return refusal;
+        if (wire.source && !document.root.find(wire.source)) return no_node(wire.source);
+        before.emplace(target->id, target->inputs);
+    }
+    for (const Wire& wire : wires) assign_input(*document.root.find(wire.target), wire.socket, wire.source);
+    Refusal refusal = new_wires_error(document, library, wires);
+    if (refusal)
+        for (auto& [id, inputs] : before) document.root.find(id)->inputs = std::move(inputs);
+    return refusal;
 }
 
 Refusal disconnect(Document& document, NodeId target, std::string_view socket)

@@ -5,6 +5,7 @@
 #include "graph/library.h"
 
 #include <optional>
+#include <set>
 
 namespace fieldwright::graph {
 
@@ -17,6 +18,18 @@ Refusal remove_node(Document& document, NodeId node);  // its wires go with it
 // Wires source's output to an input. Refuses cycles, wrong kinds, mixed 2D/3D and unknown sockets.
 Refusal connect(Document& document, const Library& library, NodeId source, NodeId target, std::string_view socket);
 Refusal disconnect(Document& document, NodeId target, std::string_view socket);
+
+// An input and what it reads; NodeId{} as source: nothing.
+struct Wire {
+    NodeId source, target;
+    std::string socket;
+    bool operator==(const Wire&) const = default;
+};
+// Gives every named input its source, all or none. An input named twice gets the last. O((nodes + wires) log nodes).
+Refusal connect_all(Document& document, const Library& library, const std::vector<Wire>& wires);
+// All or none, in one pass; their wires go with them.
+Refusal remove_nodes(Document& document, const std::set<NodeId>& nodes);
+
 Refusal set_parameter(Document& document, const Library& library, NodeId node, std::string_view name, Value value);
 Refusal rename_node(Document& document, NodeId node, std::string_view name);  // UTF-8, at most 256 bytes
 Refusal move_node(Document& document, NodeId node, glm::vec2 position);
@@ -25,7 +38,8 @@ Refusal set_march(Document& document, const MarchSettings& settings);
 Refusal set_occlusion(Document& document, const OcclusionSettings& settings);
 
 // Why a wire is not allowed in this document, or nothing. `connect` and the file reader share it (cycles excluded).
-Refusal wire_error(const Document& document, const Library& library, NodeId source, NodeId target, std::string_view socket);
+Refusal wire_error(const Document& document, const Library& library, NodeId source, NodeId target,
+                   std::string_view socket);
 // Nodes of a cycle in order, or empty. O(nodes + wires).
 std::vector<NodeId> find_cycle(const Graph& graph);
 // Checks what every document promises: ids, types, ranges, wires, acyclic. First broken promise, or nothing.

@@ -5,36 +5,94 @@
 
 namespace fieldwright::graph {
 
-History::History(Document document) { steps_.push_back({std::move(document), "start"}); }
-
-const Document& History::current() const { return steps_[step_].document; }
-
-void History::record(Document document, std::string name)
+History::History(Document document) : current_(document)
 {
-    if (document == current()) return;
-    steps_.resize(step_ + 1);
-    steps_.push_back({std::move(document), std::move(name)});
+    steps_.push_back(step_of(std::move(document), "start"));
+    references_ = current_.root.nodes.size();
+}
+
+// Nodes that the current step has too are shared with it.
+History::Step History::step_of(Document document, std::string name) const
+{
+    Step step{std::move(name), {}, {}};
+    step.nodes.reserve(document.root.nodes.size());
+    std::size_t before = 0, before_count = steps_.empty() ? 0 : steps_[step_].nodes.size();
+    for (Node& node : document.root.nodes) {
+        while (before < before_count && steps_[step_].nodes[before]->id < node.id) ++before;
+        bool same = before < before_count && *steps_[step_].nodes[before] == node;
+        step.nodes.push_back(same ? steps_[step_].nodes[before] : std::make_shared<const Node>(std::move(node)));
+    }
+    document.root.nodes.clear();
+    step.rest = std::move(document);
+    return step;
+}
+
+void History::stand_on(std::size_t step)
+{
+    step_ = step;
+    current_ = steps_[step_].rest;
+    current_.root.nodes.reserve(steps_[step_].nodes.size());
+    for (const auto& node : steps_[step_].nodes) current_.root.nodes.push_back(*node);
+}
+
+bool History::record(Document document, std::string name)
+{
+    if (document == current_) return false;
+    Step step = step_of(document, std::move(name));
+    drop_redo_tail();
+    references_ += step.nodes.size();
+    steps_.push_back(std::move(step));
     ++step_;
+    current_ = std::move(document);
+    while (steps_.size() > 2 && (steps_.size() > step_limit || references_ > reference_limit)) drop_oldest();
+    return true;
+}
+
+void History::drop_redo_tail()
+{
+    while (steps_.size() > step_ + 1) {
+        references_ -= steps_.back().nodes.size();
+        steps_.pop_back();
+    }
+    if (saved_ && *saved_ > step_) saved_.reset();
+}
+
+void History::drop_oldest()
+{
+    references_ -= steps_.front().nodes.size();
+    steps_.pop_front();
+    --step_;
+    ++dropped_;
+    if (saved_ == 0u) saved_.reset();
+    else if (saved_) --*saved_;
+}
+
+void History::replace_current(Document document)
+{
+    references_ -= steps_[step_].nodes.size();
+    steps_[step_] = step_of(document, steps_[step_].name);
+    references_ += steps_[step_].nodes.size();
+    current_ = std::move(document);
 }
 
 bool History::undo()
 {
     if (step_ == 0) return false;
-    --step_;
+    stand_on(step_ - 1);
     return true;
 }
 
 bool History::redo()
 {
     if (step_ + 1 == steps_.size()) return false;
-    ++step_;
+    stand_on(step_ + 1);
     return true;
 }
 
 void History::jump(std::size_t step)
 {
     assert(step < steps_.size());
-    step_ = step;
+    stand_on(step);
 }
 
 std::vector<std::string> History::names() const
@@ -43,5 +101,9 @@ std::vector<std::string> History::names() const
     for (const Step& step : steps_) names.push_back(step.name);
     return names;
 }
+
+std::string History::undo_name() const { return step_ == 0 ? "" : steps_[step_].name; }
+
+std::string History::redo_name() const { return step_ + 1 == steps_.size() ? "" : steps_[step_ + 1].name; }
 
 }  // namespace fieldwright::graph

@@ -80,8 +80,9 @@ std::shared_ptr<const Library> Library::from_texts(const std::map<std::string, s
         auto same = builtin.find(path);
         type->compiled = same != builtin.end() && same->second == text;
         if (auto [other, added] = library->by_name_.emplace(type->name, type.get()); !added)
-            throw DialectError(path, 1, "a node named `" + type->name + "` exists already in " +
-                                            other->second->source.path + "; rename one of the files");
+            throw DialectError(path, 1,
+                               "a node named `" + type->name + "` exists already in " + other->second->source.path +
+                                   "; rename one of the files");
         library->ordered_.push_back(type.get());
         library->types_.push_back(std::move(type));
     }

@@ -20,7 +20,7 @@ struct Parameter {
     std::string name;
     ParameterKind kind = ParameterKind::number;
     Type type;
-    Value initial;                  // as in documents: angles in degrees, colours linear
+    Value initial;                         // as in documents: angles in degrees, colours linear
     double minimum = -1e6, maximum = 1e6;  // hard, per component, inclusive
     double soft_minimum = -1e6, soft_maximum = 1e6;
     std::string unit;  // "m", "deg", "1/m", "s", "" ...
@@ -73,12 +73,12 @@ public:
     static std::shared_ptr<const Library> from_texts(const std::map<std::string, std::string>& texts,
                                                      const std::map<std::string, std::string>& builtin);
 
-    const NodeType* type(std::string_view name) const;        // null when unknown
-    const Function& support(std::string_view name) const;     // of shaders/render; throws std::out_of_range
+    const NodeType* type(std::string_view name) const;     // null when unknown
+    const Function& support(std::string_view name) const;  // of shaders/render; throws std::out_of_range
     const std::vector<const NodeType*>& types() const { return ordered_; }  // by category, then name
     const std::vector<StructDeclaration>& structs() const { return structs_; }
     const std::vector<SourceFile>& render_files() const { return render_; }  // dialect files, in dependency order
-    const std::string& text(std::string_view path) const;  // any file by path relative to shaders/
+    const std::string& text(std::string_view path) const;                    // any file by path relative to shaders/
     int lanes(const Type& type) const { return lane_count(type, structs_); }
 
 private:

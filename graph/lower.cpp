@@ -35,7 +35,8 @@ Program Lowering::lower()
     Entry sky = lower_sky(output >= 0 ? other_source(output, "sky", SocketKind::sky) : -1);
     std::vector<LightEntry> lights = lower_lights();
     ValueId bounds = options_.bounds && root >= 0 ? box(root) : no_value;
-    ValueId lipschitz = root >= 0 && types_[static_cast<std::size_t>(root)]->is_field() ? memo_lipschitz(root) : no_value;
+    ValueId lipschitz =
+        root >= 0 && types_[static_cast<std::size_t>(root)]->is_field() ? memo_lipschitz(root) : no_value;
     Program program = builder_.finish();
     program.distance = std::move(distance);
     program.surface = std::move(surface);
@@ -63,7 +64,8 @@ void Lowering::resolve_types()
         stored_offset_.push_back(parameters);
         if (types_.back()) parameters += static_cast<int>(types_.back()->parameters.size());
         if (!types_.back())
-            problems_.push_back({node.id, "the node type `" + node.type + "` is not in this version's library; it counts as unconnected"});
+            problems_.push_back({node.id, "the node type `" + node.type +
+                                              "` is not in this version's library; it counts as unconnected"});
         else if (!types_.back()->compiled)
             note(node.id, "this node is not compiled into the program and runs on the GPU only");
     }
@@ -83,19 +85,19 @@ int Lowering::find_output()
     int found = -1;
     for (std::size_t i = 0; i < nodes().size(); ++i) {
         if (!types_[i] || types_[i]->category != "output") continue;
-        if (found >= 0)
-            note(nodes()[i].id, "a scene has one output; this one is not shown");
-        else
-            found = static_cast<int>(i);
+        if (found >= 0) note(nodes()[i].id, "a scene has one output; this one is not shown");
+        else found = static_cast<int>(i);
     }
-    if (found < 0 && !options_.root) problems_.push_back({{}, "the scene has no output node; add one and wire a field to it"});
+    if (found < 0 && !options_.root)
+        problems_.push_back({{}, "the scene has no output node; add one and wire a field to it"});
     return found;
 }
 
 void Lowering::note(NodeId node, std::string sentence)
 {
     Problem problem{node, std::move(sentence), Problem::Severity::note};
-    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end()) problems_.push_back(std::move(problem));
+    if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end())
+        problems_.push_back(std::move(problem));
 }
 
 int Lowering::index_of(NodeId id) const
@@ -103,7 +105,8 @@ int Lowering::index_of(NodeId id) const
     // Ids begin near 1 and rarely have gaps: the first guess is mostly right.
     if (auto guess = static_cast<std::size_t>(id.number - 1); guess < nodes().size() && nodes()[guess].id == id)
         return static_cast<int>(guess);
-    auto found = std::lower_bound(nodes().begin(), nodes().end(), id, [](const Node& node, NodeId wanted) { return node.id < wanted; });
+    auto found = std::lower_bound(nodes().begin(), nodes().end(), id,
+                                  [](const Node& node, NodeId wanted) { return node.id < wanted; });
     return found != nodes().end() && found->id == id ? static_cast<int>(found - nodes().begin()) : -1;
 }
 
@@ -179,7 +182,8 @@ Entry Lowering::lower_surface(int root)
     no_id_ = builder_.constant_id(0);
     FieldValue value = root >= 0 ? field(root, new_context(p, origin_), true) : FieldValue{};
     with_surface_ = false;
-    if (value.distance == no_value) value.material = default_material_, value.material_id = no_id_, value.node_id = no_id_;
+    if (value.distance == no_value)
+        value.material = default_material_, value.material_id = no_id_, value.node_id = no_id_;
     return builder_.finish_entry({p}, {value.material, value.material_id, value.node_id});
 }
 
@@ -190,10 +194,8 @@ Entry Lowering::lower_ray(int camera)
     Context context = new_context(origin_, origin_);
     const NodeType* fallback = builder_.library().type("perspective");
     ValueId ray = no_value;
-    if (camera >= 0)
-        ray = node_call(camera, "ray", context, {});
-    else if (fallback)
-        ray = default_call(*fallback, "ray");
+    if (camera >= 0) ray = node_call(camera, "ray", context, {});
+    else if (fallback) ray = default_call(*fallback, "ray");
     return builder_.finish_entry({uv_}, {ray});
 }
 
@@ -212,7 +214,8 @@ std::vector<LightEntry> Lowering::lower_lights()
     for (std::size_t i = 0; i < nodes().size(); ++i) {
         if (!types_[i] || types_[i]->output != SocketKind::light || nodes()[i].muted) continue;
         if (lights.size() == light_limit) {
-            problems_.push_back({nodes()[i].id, "a scene has at most " + std::to_string(light_limit) + " lights; this one is left out"});
+            problems_.push_back({nodes()[i].id, "a scene has at most " + std::to_string(light_limit) +
+                                                    " lights; this one is left out"});
             continue;
         }
         begin_entry();

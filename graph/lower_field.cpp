@@ -16,7 +16,8 @@ bool is_primitive(const NodeType& type) { return type.inputs.empty() || type.inp
 // Moves points without stretching: a division may stay below it.
 bool is_isometry(const NodeType& type)
 {
-    return type.function("point") && !type.function("distance") && !type.function("stretch") && !type.function("lipschitz");
+    return type.function("point") && !type.function("distance") && !type.function("stretch") &&
+           !type.function("lipschitz");
 }
 
 bool passes_division(const NodeType& type) { return type.scaling != Scaling::none || is_isometry(type); }
@@ -57,7 +58,8 @@ Lowering::FieldValue Lowering::field(int index, Context context, bool may_divide
 // Divides a Lipschitz constant out at the highest place above which only hard combiners and isometries follow.
 Lowering::FieldValue Lowering::divided(int index, Context context, bool may_divide)
 {
-    if (!may_divide || passes_division(type(index)) || !may_exceed_one(index)) return raw_field(index, context, may_divide);
+    if (!may_divide || passes_division(type(index)) || !may_exceed_one(index))
+        return raw_field(index, context, may_divide);
     FieldValue value = raw_field(index, context, false);
     if (value.distance != no_value)
         value.distance = builder_.call("divide_distance", {value.distance, memo_lipschitz(index)}, node(index).id);
@@ -108,7 +110,8 @@ void Lowering::paint(int index, Context context, FieldValue& value)
     if (!material) return;
     int source = -1;
     for (const Parameter& parameter : type(index).parameters)
-        if (parameter.kind == ParameterKind::material) source = other_source(index, parameter.name, SocketKind::material);
+        if (parameter.kind == ParameterKind::material)
+            source = other_source(index, parameter.name, SocketKind::material);
     if (source < 0) return;
     value.material = call_function(index, *material, context, {});
     value.material_id = builder_.constant_id(node(source).id.number);
@@ -157,8 +160,9 @@ std::vector<int> Lowering::chain_leaves(int index)
     while (!open.empty()) {
         int at = open.back();
         open.pop_back();
-        bool same_chain = at == index || (types_[static_cast<std::size_t>(at)] == types_[static_cast<std::size_t>(index)] &&
-                                          uses_[static_cast<std::size_t>(at)] == 1);
+        bool same_chain =
+            at == index || (types_[static_cast<std::size_t>(at)] == types_[static_cast<std::size_t>(index)] &&
+                            uses_[static_cast<std::size_t>(at)] == 1);
         if (!same_chain) {
             leaves.push_back(at);
             continue;

@@ -84,7 +84,8 @@ ValueId Lowering::point_argument(int, const Type& type, Context context)
     ValueId point = contexts_[static_cast<std::size_t>(context)].point;
     if (builder_.type(point).base == type.base) return point;
     ValueId& converted = plane_points_[static_cast<std::size_t>(context)];
-    if (converted == no_value) converted = builder_.call(type.base == BaseType::vec2 ? "plane_point" : "lift_point", {point});
+    if (converted == no_value)
+        converted = builder_.call(type.base == BaseType::vec2 ? "plane_point" : "lift_point", {point});
     return converted;
 }
 
@@ -108,7 +109,8 @@ ValueId Lowering::parameter(int index, int parameter_index, Context context)
 // The document's own value; one slot per parameter in the whole program.
 ValueId Lowering::stored_parameter(int index, int parameter_index)
 {
-    ValueId& known = stored_[static_cast<std::size_t>(stored_offset_[static_cast<std::size_t>(index)] + parameter_index)];
+    ValueId& known =
+        stored_[static_cast<std::size_t>(stored_offset_[static_cast<std::size_t>(index)] + parameter_index)];
     if (known != no_value) return known;
     const Parameter& parameter = type(index).parameters[static_cast<std::size_t>(parameter_index)];
     const Node& node = this->node(index);
@@ -126,9 +128,11 @@ ValueId Lowering::constant_of(const Parameter& parameter, const Value& value, No
     auto constant = [&](std::initializer_list<float> lanes) {
         return builder_.constant(parameter.type, {lanes.begin(), lanes.size()}, node, parameter.name.c_str());
     };
-    float scale = parameter.kind == ParameterKind::angle || parameter.kind == ParameterKind::angles ? radians_per_degree : 1.0f;
+    float scale =
+        parameter.kind == ParameterKind::angle || parameter.kind == ParameterKind::angles ? radians_per_degree : 1.0f;
     if (auto* number = std::get_if<float>(&value)) return constant({*number * scale});
-    if (auto* vector = std::get_if<glm::vec3>(&value)) return constant({vector->x * scale, vector->y * scale, vector->z * scale});
+    if (auto* vector = std::get_if<glm::vec3>(&value))
+        return constant({vector->x * scale, vector->y * scale, vector->z * scale});
     if (auto* vector = std::get_if<glm::vec2>(&value)) return constant({vector->x, vector->y});
     if (auto* whole = std::get_if<int>(&value)) return constant({static_cast<float>(*whole)});
     if (auto* flag = std::get_if<bool>(&value)) return constant({*flag ? 1.0f : 0.0f});
@@ -142,7 +146,9 @@ ValueId Lowering::constant_of(const Parameter& parameter, const Value& value, No
 ValueId Lowering::wired_parameter(int index, const Parameter& parameter, Context context)
 {
     int source = index_of(node(index).input(parameter.name));
-    if (source < 0 || !types_[static_cast<std::size_t>(source)] || node(source).muted || !type(source).function("value")) return no_value;
+    if (source < 0 || !types_[static_cast<std::size_t>(source)] || node(source).muted ||
+        !type(source).function("value"))
+        return no_value;
     if (context < 0 && value_needs(source) != 0) return no_value;
     ValueId value = value_of(source, context);
     return value == no_value ? no_value : clamped(parameter, converted(value, parameter.type));
@@ -152,7 +158,9 @@ ValueId Lowering::wired_parameter(int index, const Parameter& parameter, Context
 ValueId Lowering::clamped(const Parameter& parameter, ValueId value)
 {
     if (parameter.minimum <= -1e6 && parameter.maximum >= 1e6) return value;
-    float scale = parameter.kind == ParameterKind::angle || parameter.kind == ParameterKind::angles ? std::numbers::pi_v<float> / 180.0f : 1.0f;
+    float scale = parameter.kind == ParameterKind::angle || parameter.kind == ParameterKind::angles
+                      ? std::numbers::pi_v<float> / 180.0f
+                      : 1.0f;
     ValueId low = builder_.constant(static_cast<float>(parameter.minimum) * scale);
     ValueId high = builder_.constant(static_cast<float>(parameter.maximum) * scale);
     switch (builder_.type(value).base) {
@@ -173,7 +181,8 @@ ValueId Lowering::converted(ValueId value, const Type& wanted)
 
 ValueId Lowering::value_of(int source, Context context)
 {
-    if (auto known = value_memo_.find(part_key(source, any_context, value_part)); known != value_memo_.end()) return known->second;
+    if (auto known = value_memo_.find(part_key(source, any_context, value_part)); known != value_memo_.end())
+        return known->second;
     std::uint64_t key = part_key(source, context, value_part);
     if (auto known = value_memo_.find(key); known != value_memo_.end()) return known->second;
     if (depth_ >= depth_limit) return no_value;
@@ -187,7 +196,8 @@ ValueId Lowering::value_of(int source, Context context)
 ValueId Lowering::material_of(int source, Context context)
 {
     std::uint64_t key = part_key(source, context, material_part);
-    if (auto known = value_memo_.find(part_key(source, any_context, material_part)); known != value_memo_.end()) return known->second;
+    if (auto known = value_memo_.find(part_key(source, any_context, material_part)); known != value_memo_.end())
+        return known->second;
     if (auto known = value_memo_.find(key); known != value_memo_.end()) return known->second;
     ValueId value = node_call(source, "material", context, {});
     if (builder_.rate(value) != Rate::point) key = part_key(source, any_context, material_part);
@@ -207,7 +217,8 @@ int Lowering::value_needs(int source)
         }
     int result = needs;
     for (const auto& [socket, from] : node(source).inputs)
-        if (int index = index_of(from); index >= 0 && types_[static_cast<std::size_t>(index)]) result |= value_needs(index);
+        if (int index = index_of(from); index >= 0 && types_[static_cast<std::size_t>(index)])
+            result |= value_needs(index);
     return needs_memo_[source] = result;
 }
 
@@ -226,7 +237,8 @@ bool Lowering::may_exceed_one(int index)
 {
     if (auto known = exceeds_memo_.find(index); known != exceeds_memo_.end()) return known->second;
     const NodeType& type = this->type(index);
-    bool exceeds = type.function("lipschitz") || type.function("stretch") || type.approximate_step < 1 || varies_with_point(index);
+    bool exceeds =
+        type.function("lipschitz") || type.function("stretch") || type.approximate_step < 1 || varies_with_point(index);
     exceeds_memo_[index] = exceeds;
     if (!exceeds)
         for (int source : field_inputs(index)) exceeds = exceeds || may_exceed_one(source);
@@ -271,7 +283,9 @@ ValueId Lowering::own_lipschitz(int index)
 {
     const NodeType& type = this->type(index);
     ValueId own = no_value;
-    auto multiply = [&](ValueId factor) { own = own == no_value ? factor : builder_.call("multiply_lipschitz", {own, factor}); };
+    auto multiply = [&](ValueId factor) {
+        own = own == no_value ? factor : builder_.call("multiply_lipschitz", {own, factor});
+    };
     for (const char* suffix : {"lipschitz", "stretch"}) {
         const Function* function = type.function(suffix);
         if (!function) continue;
@@ -280,7 +294,8 @@ ValueId Lowering::own_lipschitz(int index)
             multiply(builder_.constant(4.0f));
             continue;
         }
-        Bindings bindings{.child = box_of_input(index, "d"), .box_a = box_of_input(index, "a"), .box_b = box_of_input(index, "b")};
+        Bindings bindings{
+            .child = box_of_input(index, "d"), .box_a = box_of_input(index, "a"), .box_b = box_of_input(index, "b")};
         multiply(call_function(index, *function, frame_context, bindings));
     }
     if (type.approximate_step < 1) multiply(builder_.constant(1.0f / type.approximate_step));
@@ -304,7 +319,8 @@ ValueId Lowering::box(int index)
     if (auto known = box_memo_.find(index); known != box_memo_.end()) return known->second;
     bool computable = type(index).compiled && depth_ < depth_limit;
     for (const auto& [socket, from] : node(index).inputs)
-        if (int source = index_of(from); source >= 0 && types_[static_cast<std::size_t>(source)] && type(source).function("value"))
+        if (int source = index_of(from);
+            source >= 0 && types_[static_cast<std::size_t>(source)] && type(source).function("value"))
             computable = computable && value_needs(source) == 0;
     if (!computable) return box_memo_[index] = builder_.call("everywhere", {});
     ++depth_;
@@ -313,12 +329,14 @@ ValueId Lowering::box(int index)
     if (type(index).scaling == Scaling::hard_associative) {
         for (int leaf : chain_leaves(index)) {
             ValueId next = box(leaf);
-            value = value == no_value ? next : call_function(index, bounds, frame_context, {.box_a = value, .box_b = next});
+            value =
+                value == no_value ? next : call_function(index, bounds, frame_context, {.box_a = value, .box_b = next});
         }
         if (value == no_value) value = builder_.call("everywhere", {});
     } else {
-        value = call_function(index, bounds, frame_context,
-                              {.child = box_of_input(index, "d"), .box_a = box_of_input(index, "a"), .box_b = box_of_input(index, "b")});
+        value = call_function(
+            index, bounds, frame_context,
+            {.child = box_of_input(index, "d"), .box_a = box_of_input(index, "a"), .box_b = box_of_input(index, "b")});
     }
     --depth_;
     return box_memo_[index] = value;

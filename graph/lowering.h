@@ -114,9 +114,9 @@ private:
 
     // Of the entry being emitted.
     std::vector<Place> contexts_;
-    std::vector<ValueId> plane_points_;                            // by context: its point as vec2
-    std::unordered_map<std::uint64_t, FieldValue> memo_;           // shared fields
-    std::unordered_map<std::uint64_t, ValueId> value_memo_;        // parameters, shared values and materials
+    std::vector<ValueId> plane_points_;                      // by context: its point as vec2
+    std::unordered_map<std::uint64_t, FieldValue> memo_;     // shared fields
+    std::unordered_map<std::uint64_t, ValueId> value_memo_;  // parameters, shared values and materials
     bool with_surface_ = false;
     int depth_ = 0;
 

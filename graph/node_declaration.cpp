@@ -10,11 +10,11 @@
 namespace fieldwright::graph {
 namespace {
 
-constexpr std::array<std::string_view, 16> reserved_arguments = {"p",     "d",     "a",      "b",    "c",  "acc",
-                                                                 "copy",  "cell",  "time",   "uv",   "direction",
-                                                                 "child", "box_a", "box_b",  "camera", "sky"};
-constexpr std::array meaning_suffixes = {"distance", "point",  "cell",  "blend",    "bounds", "lipschitz",
-                                         "stretch",  "value",  "light", "material", "ray",    "sky"};
+constexpr std::array<std::string_view, 16> reserved_arguments = {"p",     "d",     "a",      "b",  "c",         "acc",
+                                                                 "copy",  "cell",  "time",   "uv", "direction", "child",
+                                                                 "box_a", "box_b", "camera", "sky"};
+constexpr std::array meaning_suffixes = {"distance", "point", "cell",  "blend",    "bounds", "lipschitz",
+                                         "stretch",  "value", "light", "material", "ray",    "sky"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)
@@ -117,7 +117,8 @@ private:
     {
         has_quality_ = true;
         std::vector<std::string> parts = split(value, ';');
-        if (parts.empty() || parts.size() > 2) fail(line, "`field` reads `exact`, `bound` or `approximate S`, then `; inside`");
+        if (parts.empty() || parts.size() > 2)
+            fail(line, "`field` reads `exact`, `bound` or `approximate S`, then `; inside`");
         type_.quality_outside = quality(line, parts[0]);
         type_.quality_inside = parts.size() == 2 ? quality(line, parts[1]) : type_.quality_outside;
     }
@@ -153,8 +154,8 @@ private:
             if (declared) fail(argument.line, "the parameter `" + argument.name + "` is declared twice");
             parameter(argument);
         } else if (!reserved && !declared && !helper) {
-            fail(argument.line, "the parameter `" + argument.name +
-                                    "` needs a comment `default [min, max] unit  help` on its line");
+            fail(argument.line,
+                 "the parameter `" + argument.name + "` needs a comment `default [min, max] unit  help` on its line");
         } else if (declared && !helper && type_.parameter(argument.name)->type != argument.type) {
             fail(argument.line, "the parameter `" + argument.name + "` has another type where it is declared");
         }
@@ -198,7 +199,9 @@ private:
         parameter.unit = trim(rest);
         kind(argument, parameter, initial);
         std::optional<Value> value = parse_value(parameter, initial);
-        if (!value) fail(argument.line, "the default `" + std::string(initial) + "` of `" + argument.name + "` does not fit its type");
+        if (!value)
+            fail(argument.line,
+                 "the default `" + std::string(initial) + "` of `" + argument.name + "` does not fit its type");
         parameter.initial = *value;
         if (std::string error = value_error(parameter, parameter.initial); !error.empty())
             fail(argument.line, "the default of `" + argument.name + "` " + error);
@@ -333,7 +336,8 @@ private:
         if (!type_.function("bounds")) fail(1, "a field node defines `" + type_.name + "_bounds`");
         if (argument_named(type_.function("distance"), "b") && !type_.function("blend"))
             fail(1, "a combiner defines `" + type_.name + "_blend`: the share of b's material");
-        if (type_.copies > 1 && (!argument_named(type_.function("point"), "copy") || !argument_named(type_.function("distance"), "acc")))
+        if (type_.copies > 1 &&
+            (!argument_named(type_.function("point"), "copy") || !argument_named(type_.function("distance"), "acc")))
             fail(1, "a node with `copies` defines `_point(p, ..., copy)` and `_distance(acc, d)`");
     }
 

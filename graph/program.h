@@ -15,11 +15,11 @@ using ValueId = std::int32_t;
 inline constexpr ValueId no_value = -1;
 
 struct ProgramValue {
-    const Type* type;         // owned by the library or static
+    const Type* type;  // owned by the library or static
     Rate rate = Rate::constant;
-    std::int32_t slot = -1;   // constant and frame values: first float in the block; vec3 never straddles a vec4
+    std::int32_t slot = -1;  // constant and frame values: first float in the block; vec3 never straddles a vec4
     std::int32_t lanes = 1;
-    NodeId node;              // for names in exports
+    NodeId node;                 // for names in exports
     const char* name = nullptr;  // parameter or input name, for exports; null for call results
 };
 
@@ -33,7 +33,7 @@ struct Instruction {
     // Blocks only.
     std::int32_t body_end = 0;  // index after the last instruction of the body
     std::int32_t copies = 0;
-    ValueId copy = no_value;          // int value: 0 .. copies-1
+    ValueId copy = no_value;                            // int value: 0 .. copies-1
     std::int32_t first_carried = 0, carried_count = 0;  // into Program::carried
     bool is_block() const { return copies > 0; }
 };
@@ -68,12 +68,12 @@ struct Program {
     std::vector<float> block;
     std::vector<glm::vec4> list_data;  // all list parameters, one after the other
 
-    ValueId time = no_value;  // frame-rate input, seconds
-    Entry frame;     // constant- and frame-rate calls: results go to the block
-    Entry distance;  // p -> float
-    Entry surface;   // p -> Material, int material node id, int node id
-    Entry ray;       // uv -> Ray
-    Entry sky;       // direction -> vec3
+    ValueId time = no_value;         // frame-rate input, seconds
+    Entry frame;                     // constant- and frame-rate calls: results go to the block
+    Entry distance;                  // p -> float
+    Entry surface;                   // p -> Material, int material node id, int node id
+    Entry ray;                       // uv -> Ray
+    Entry sky;                       // direction -> vec3
     std::vector<LightEntry> lights;  // shadowed first
 
     MarchSettings march;
@@ -95,6 +95,7 @@ struct LowerOptions {
 };
 
 // Pure; never throws for a valid document. Problems' nodes count as unconnected.
-Program lower(const Document& document, const std::shared_ptr<const Library>& library, const LowerOptions& options = {});
+Program lower(const Document& document, const std::shared_ptr<const Library>& library,
+              const LowerOptions& options = {});
 
 }  // namespace fieldwright::graph

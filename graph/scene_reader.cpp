@@ -1,5 +1,6 @@
 // Scene JSON to a document: every member checked where it stands, then the wires, then cycles.
 #include "graph/edits.h"
+#include "graph/fragment.h"
 #include "graph/json.h"
 #include "graph/limits.h"
 #include "graph/scene_file.h"
@@ -20,6 +21,7 @@ bool contains(const List& list, std::string_view word)
 }
 
 constexpr std::string_view known_members[] = {"format", "version", "app", "next_id", "march", "occlusion", "graphs"};
+constexpr std::string_view fragment_members[] = {"format", "version", "nodes"};
 
 class SceneReader {
 public:
@@ -45,6 +47,24 @@ public:
             if (!contains(known_members, member->key))
                 document_.extras.emplace_back(member->key, json_.source(*member));
         return std::move(document_);
+    }
+
+    Fragment read_fragment()
+    {
+        const JsonValue& root = json_.object(json_.root());
+        if (json_.string(required(root, "format", "the format of copied nodes")) != fragment_format)
+            json_.fail(root, "is not made of copied nodes");
+        if (json_.integer(required(root, "version", "\"version\": 1")) != fragment_version)
+            json_.fail(root, "is of another version than this program reads, 1");
+        for (const JsonValue* member = json_.first_child(root); member; member = json_.next_sibling(*member))
+            if (!contains(fragment_members, member->key)) unknown_member(*member, "`format`, `version`, `nodes`");
+        incoming_.emplace();
+        read_nodes(json_.object(required(root, "nodes", "\"nodes\": {}")));
+        document_.next_id = entries_.empty() ? 1 : entries_.back().id.number + 1;
+        read_wires();
+        refuse_cycles();
+        drop_placeholders();
+        return {std::move(document_.root.nodes), std::move(*incoming_)};
     }
 
 private:
@@ -298,7 +318,7 @@ private:
         std::size_t wires = 0;
         for (std::size_t i = 0; i < entries_.size(); ++i) {
             Node& node = document_.root.nodes[i];
-            if (!node.unknown_source.empty()) placeholder_wires(*entries_[i].value, node);
+            if (!node.unknown_source.empty() && !incoming_) placeholder_wires(*entries_[i].value, node);
             else if (entries_[i].inputs) node_wires(*entries_[i].inputs, node, rules);
             wires += node.inputs.size();
             if (wires > wire_limit)
@@ -307,14 +327,18 @@ private:
         }
     }
 
-    void node_wires(const JsonValue& inputs, Node& node, WireRules& rules) const
+    void node_wires(const JsonValue& inputs, Node& node, WireRules& rules)
     {
         for (const JsonValue* input = json_.first_child(inputs); input; input = json_.next_sibling(*input)) {
             NodeId source{json_.integer(*input)};
-            if (!document_.root.find(source))
+            bool outside = !document_.root.find(source);
+            if (outside && !incoming_)
                 json_.fail(*input, "must be the id of a node; there is no node " + std::to_string(source.number));
-            if (Refusal refusal = rules.add(source, node.id, input->key)) json_.fail(*input, *refusal);
-            node.inputs.emplace_back(input->key, source);
+            Refusal refusal = outside ? kind_error({}, {&node, library_.type(node.type)}, input->key)
+                                      : rules.add(source, node.id, input->key);
+            if (refusal) json_.fail(*input, *refusal);
+            if (outside) incoming_->push_back({source, node.id, std::string(input->key)});
+            else node.inputs.emplace_back(input->key, source);
         }
     }
 
@@ -344,10 +368,20 @@ private:
                    "is part of a cycle, " + cycle_text(cycle) + "; remove one of its wires");
     }
 
+    // Their text names ids that mean nothing elsewhere.
+    void drop_placeholders()
+    {
+        std::set<NodeId> placeholders;
+        for (const Node& node : document_.root.nodes)
+            if (!node.unknown_source.empty()) placeholders.insert(node.id);
+        remove_nodes(document_, placeholders);
+    }
+
     JsonTree json_;
     const Library& library_;
     Document document_;
-    std::vector<Entry> entries_;  // sorted by id, as the document's nodes
+    std::vector<Entry> entries_;                 // sorted by id, as the document's nodes
+    std::optional<std::vector<Wire>> incoming_;  // of a fragment: wires whose source is not in it
 };
 
 }  // namespace
@@ -355,6 +389,11 @@ private:
 Document read_scene(std::string_view text, const Library& library, std::string_view name)
 {
     return SceneReader(text, library, name).read();
+}
+
+Fragment read_fragment(std::string_view text, const Library& library, std::string_view name)
+{
+    return SceneReader(text, library, name).read_fragment();
 }
 
 }  // namespace fieldwright::graph

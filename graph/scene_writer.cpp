@@ -1,4 +1,5 @@
 // A document as scene JSON: one value per line, so that a small edit is a small difference.
+#include "graph/fragment.h"
 #include "graph/json.h"
 #include "graph/scene_file.h"
 #include "graph/settings.h"
@@ -29,6 +30,19 @@ public:
         close();
         close();
         for (const auto& [key, json] : document.extras) raw(key, json);
+        close();
+        out_ += '\n';
+        return std::move(out_);
+    }
+
+    std::string write(const std::vector<Node>& nodes)
+    {
+        open("");
+        text("format", fragment_format);
+        raw("version", std::to_string(fragment_version));
+        open("nodes");
+        for (const Node& node : nodes) write_node(node);
+        close();
         close();
         out_ += '\n';
         return std::move(out_);
@@ -156,5 +170,7 @@ private:
 }  // namespace
 
 std::string write_scene(const Document& document, const Library&) { return SceneWriter().write(document); }
+
+std::string write_fragment(const std::vector<Node>& nodes) { return SceneWriter().write(nodes); }
 
 }  // namespace fieldwright::graph

@@ -51,7 +51,7 @@ private:
 // `1, 2, 3` or `(1, 2, 3)`: 1 to 4 numbers.
 std::optional<std::vector<float>> numbers(Reader& reader)
 {
-    bool bracket = reader.skip('(') ;
+    bool bracket = reader.skip('(');
     std::vector<float> result;
     do {
         std::optional<float> number = reader.number();

@@ -9,21 +9,7 @@
 namespace fieldwright::graph {
 namespace {
 
-bool is_field(SocketKind kind)
-{
-    return kind == SocketKind::field2d || kind == SocketKind::field3d || kind == SocketKind::field_any;
-}
-
 bool is_vector(SocketKind kind) { return kind == SocketKind::vec3 || kind == SocketKind::colour; }
-
-// Dimensions apart: fields feed fields, numbers fill vectors, directions and colours are both three numbers.
-bool kinds_fit(SocketKind from, SocketKind to)
-{
-    if (from == SocketKind::none) return false;
-    if (is_field(from)) return is_field(to);
-    if (from == SocketKind::number && (to == SocketKind::vec2 || is_vector(to))) return true;
-    return from == to || (is_vector(from) && is_vector(to));
-}
 
 std::string joined(const std::vector<std::string>& names)
 {
@@ -33,6 +19,20 @@ std::string joined(const std::vector<std::string>& names)
 }
 
 }  // namespace
+
+bool carries_field(SocketKind kind)
+{
+    return kind == SocketKind::field2d || kind == SocketKind::field3d || kind == SocketKind::field_any;
+}
+
+// Fields feed fields, numbers fill vectors, directions and colours are both three numbers.
+bool kinds_fit(SocketKind from, SocketKind to)
+{
+    if (from == SocketKind::none) return false;
+    if (carries_field(from)) return carries_field(to);
+    if (from == SocketKind::number && (to == SocketKind::vec2 || is_vector(to))) return true;
+    return from == to || (is_vector(from) && is_vector(to));
+}
 
 int dimension_of(SocketKind kind) { return kind == SocketKind::field2d ? 2 : kind == SocketKind::field3d ? 3 : 0; }
 

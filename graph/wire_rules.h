@@ -37,7 +37,9 @@ struct WireEnd {
 Refusal kind_error(const WireEnd& from, const WireEnd& to, std::string_view socket);
 // Why a field of dimension `given` cannot feed an input of dimension `taken`; nothing when either is undecided (0).
 Refusal dimension_error(const Node& from, int given, const Node& to, int taken, std::string_view socket);
-int dimension_of(SocketKind kind);  // 2, 3, or 0 for a field of any dimension
+bool carries_field(SocketKind kind);
+bool kinds_fit(SocketKind from, SocketKind to);  // dimensions apart
+int dimension_of(SocketKind kind);               // 2, 3, or 0 for a field of any dimension
 
 // "node 3 (`sphere`)"
 std::string described(const Node& node);

@@ -38,8 +38,8 @@ TEST_F(CommandLine, a_unit_sphere_answers_the_six_queries)
 {
     std::string scene = new_scene("sphere");
     std::string third = "0.57735026918962576", half = "0.70710678118654752";
-    Outcome outcome = run_program("eval " + scene, "0 0.75 0\n0 1.25 0\n\n# a comment\n0 1 0\n" + third + " " + third + " " +
-                                                       third + "\n" + half + " 0 " + half + "\n0.40 0.00 0.30\n");
+    Outcome outcome = run_program("eval " + scene, "0 0.75 0\n0 1.25 0\n\n# a comment\n0 1 0\n" + third + " " + third +
+                                                       " " + third + "\n" + half + " 0 " + half + "\n0.40 0.00 0.30\n");
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     std::istringstream answers(outcome.output);
     for (double expected : {-0.25, 0.25, 0.0, 0.0, 0.0, -0.5}) {
@@ -118,7 +118,8 @@ TEST_F(CommandLine, set_changes_a_parameter_for_one_run)
 TEST_F(CommandLine, bad_scene_files_exit_with_3)
 {
     write_text(path("bad.scene.json"), "{\"format\": ");
-    for (const char* command : {"check ", "eval "}) expect_refusal(command + path("bad.scene.json"), 3, "bad.scene.json");
+    for (const char* command : {"check ", "eval "})
+        expect_refusal(command + path("bad.scene.json"), 3, "bad.scene.json");
     expect_refusal("render " + path("bad.scene.json") + " -o " + path("a.png"), 3, "bad.scene.json");
     expect_refusal("check " + path("missing.scene.json"), 3, "missing.scene.json");
     Outcome json = run_program("check --json " + path("bad.scene.json"));
@@ -138,7 +139,8 @@ TEST_F(CommandLine, a_place_that_cannot_hold_the_file_exits_with_5)
 
 TEST_F(CommandLine, without_gl_the_gpu_exits_with_4_and_auto_draws)
 {
-    std::string scene = new_scene("sphere"), no_gl = "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null LIBGL_ALWAYS_SOFTWARE=1 ";
+    std::string scene = new_scene("sphere"),
+                no_gl = "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null LIBGL_ALWAYS_SOFTWARE=1 ";
     std::string render = no_gl + FIELDWRIGHT_BINARY + " render " + scene + " --size 16x16 -o " + path("a.png");
     EXPECT_EQ(run_shell(render + " --device gpu").code, 4);
     EXPECT_FALSE(std::filesystem::exists(path("a.png")));
@@ -180,7 +182,8 @@ TEST_F(CommandLine, check_counts_nodes_and_cost)
 TEST_F(CommandLine, info_and_version_are_json_on_request)
 {
     Json info = Json::parse(run_program("info --json").output);
-    for (const char* key : {"version", "gl_renderer", "instruction_set", "nodes", "threads"}) EXPECT_TRUE(info.contains(key)) << key;
+    for (const char* key : {"version", "gl_renderer", "instruction_set", "nodes", "threads"})
+        EXPECT_TRUE(info.contains(key)) << key;
     EXPECT_GE(info.at("nodes"), 40);
     EXPECT_EQ(Json::parse(run_program("--version --json").output).at("version"), info.at("version"));
     EXPECT_TRUE(run_program("--version").output.starts_with("fieldwright "));

@@ -1,8 +1,8 @@
 // Every example, view and stereo mode on both devices: the same picture.
-#include "tests/app/program.h"
 #include "graph/scene_file.h"
 #include "renderer/devices.h"
 #include "renderer/picture.h"
+#include "tests/app/program.h"
 
 #include <cstdlib>
 
@@ -60,7 +60,8 @@ TEST(Devices, agree_on_every_example_view_and_stereo_mode)
                 auto show = [&](const Eyes& frames) {
                     return shown(frames, *view_from_name(view), *stereo_from_name(stereo), program.march.step_limit);
                 };
-                EXPECT_LE(share_apart(show(on_gpu), show(on_cpu)), 0.001) << scene.filename() << " " << view << " " << stereo;
+                EXPECT_LE(share_apart(show(on_gpu), show(on_cpu)), 0.001)
+                    << scene.filename() << " " << view << " " << stereo;
             }
     }
 }

@@ -40,7 +40,8 @@ TEST_F(Export, every_example_compiles_in_the_shadertoy_wrapper)
 TEST_F(Export, the_same_scene_gives_the_same_text)
 {
     std::string scene = (source_folder() / "examples/first.scene.json").string();
-    for (const char* name : {"a", "b"}) ASSERT_EQ(run_program("export " + scene + " --target glsl -o " + path(name)).code, 0);
+    for (const char* name : {"a", "b"})
+        ASSERT_EQ(run_program("export " + scene + " --target glsl -o " + path(name)).code, 0);
     EXPECT_EQ(read_text(path("a")), read_text(path("b")));
 }
 

@@ -34,8 +34,8 @@ TEST_F(LibraryWalk, nodes_lists_at_least_40_types_of_12_categories)
             EXPECT_TRUE(parameter.contains("default") || parameter.at("kind") == "material") << type.at("name");
         }
     }
-    EXPECT_EQ(categories, (std::set<std::string>{"primitive", "shape2d", "convert", "combine", "domain", "modify", "value",
-                                                 "material", "light", "camera", "sky", "output"}));
+    EXPECT_EQ(categories, (std::set<std::string>{"primitive", "shape2d", "convert", "combine", "domain", "modify",
+                                                 "value", "material", "light", "camera", "sky", "output"}));
 }
 
 TEST_F(LibraryWalk, every_type_makes_a_valid_small_scene_that_draws)
@@ -93,7 +93,8 @@ TEST_F(LibraryWalk, a_file_dropped_into_a_node_folder_is_a_new_node)
                "}\n");
     std::string shaders = "--shaders " + path("shaders"), scene = path("pebble.scene.json");
     Json types = node_types(shaders);
-    auto pebble = std::find_if(types.begin(), types.end(), [](const Json& type) { return type.at("name") == "pebble"; });
+    auto pebble =
+        std::find_if(types.begin(), types.end(), [](const Json& type) { return type.at("name") == "pebble"; });
     ASSERT_NE(pebble, types.end());
     EXPECT_EQ(pebble->at("category"), "primitive");
     EXPECT_EQ(pebble->at("parameters").at(0).at("name"), "size");
@@ -101,10 +102,12 @@ TEST_F(LibraryWalk, a_file_dropped_into_a_node_folder_is_a_new_node)
     Outcome made = run_program("new " + shaders + " -o " + scene + " --node pebble --set size=0.8");
     ASSERT_EQ(made.code, 0) << made.errors;
     for (const char* device : {"gpu", "auto"}) {
-        Outcome drawn = run_program("render " + scene + " " + shaders + " --size 64x36 --device " + device + " -o " + path("pebble.png"));
+        Outcome drawn = run_program("render " + scene + " " + shaders + " --size 64x36 --device " + device + " -o " +
+                                    path("pebble.png"));
         EXPECT_EQ(drawn.code, 0) << drawn.errors;
     }
-    Outcome refused = run_program("render " + scene + " " + shaders + " --size 64x36 --device cpu -o " + path("cpu.png"));
+    Outcome refused =
+        run_program("render " + scene + " " + shaders + " --size 64x36 --device cpu -o " + path("cpu.png"));
     EXPECT_EQ(refused.code, 1) << refused.errors;
     EXPECT_NE(refused.errors.find("pebble"), std::string::npos) << refused.errors;
 
@@ -116,7 +119,9 @@ TEST_F(LibraryWalk, a_file_dropped_into_a_node_folder_is_a_new_node)
 TEST_F(LibraryWalk, a_broken_node_file_is_named_with_its_line)
 {
     std::filesystem::copy(source_folder() / "shaders", path("shaders"), std::filesystem::copy_options::recursive);
-    write_text(path("shaders/nodes/primitive/broken.glsl"), "// Broken: not a node.\n// field: exact\nfloat broken_distance(vec3 p, float r)\n{\n    return 1.0f;\n}\n");
+    write_text(
+        path("shaders/nodes/primitive/broken.glsl"),
+        "// Broken: not a node.\n// field: exact\nfloat broken_distance(vec3 p, float r)\n{\n    return 1.0f;\n}\n");
     Outcome outcome = run_program("--shaders " + path("shaders") + " nodes");
     EXPECT_EQ(outcome.code, 6);
     EXPECT_NE(outcome.errors.find("broken.glsl:3:"), std::string::npos) << outcome.errors;

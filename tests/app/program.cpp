@@ -1,11 +1,11 @@
 // Runs the finished program through the shell, with its streams in files.
 #include "tests/app/program.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
 #include <atomic>
 #include <fstream>
 #include <sstream>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace fieldwright::tests {
 namespace {
@@ -25,9 +25,11 @@ Outcome run_shell(const std::string& command, const std::string& input)
 {
     std::filesystem::path folder = new_folder();
     write_text(folder / "in", input);
-    std::string streams = " <" + (folder / "in").string() + " >" + (folder / "out").string() + " 2>" + (folder / "err").string();
+    std::string streams =
+        " <" + (folder / "in").string() + " >" + (folder / "out").string() + " 2>" + (folder / "err").string();
     int status = std::system((command + streams).c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(folder / "out"), read_text(folder / "err")};
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(folder / "out"),
+                    read_text(folder / "err")};
     std::filesystem::remove_all(folder);
     return outcome;
 }

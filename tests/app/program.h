@@ -1,8 +1,8 @@
 // Runs the finished program and collects what it says; a temporary folder for its files.
 #pragma once
 
-#include <filesystem>
 #include <gtest/gtest.h>
+#include <filesystem>
 #include <string>
 #include <vector>
 

@@ -40,7 +40,8 @@ std::string refusal(const std::string& text, const std::string& path = "nodes/pr
 // A node `bad` with one line in its body.
 std::string with_body(const std::string& line)
 {
-    return refusal("// Bad: a test.\n// field: exact\nfloat bad_distance(vec3 p)\n{\n    " + line + "\n    return p.x;\n}\n"
+    return refusal("// Bad: a test.\n// field: exact\nfloat bad_distance(vec3 p)\n{\n    " + line +
+                   "\n    return p.x;\n}\n"
                    "Box bad_bounds() { return everywhere(); }\n");
 }
 
@@ -67,17 +68,19 @@ TEST(Dialect, ASignatureIsTheDeclarationOfItsNode)
 
 TEST(Dialect, LoopIterationsMultiplyThroughNestingAndCalls)
 {
-    SourceFile file = parse_source("nodes/primitive/x.glsl",
-                                   "// X: a test.\nfloat x_inner(float v)\n{\n    for (int i = 0; i < 4; i++) { v += 1.0f; }\n"
-                                   "    return v;\n}\nfloat x_outer(float v)\n{\n    for (int i = 0; i < 3; i++) { v = x_inner(v); }\n"
-                                   "    return v;\n}\n");
+    SourceFile file = parse_source(
+        "nodes/primitive/x.glsl",
+        "// X: a test.\nfloat x_inner(float v)\n{\n    for (int i = 0; i < 4; i++) { v += 1.0f; }\n"
+        "    return v;\n}\nfloat x_outer(float v)\n{\n    for (int i = 0; i < 3; i++) { v = x_inner(v); }\n"
+        "    return v;\n}\n");
     EXPECT_EQ(file.functions[0].loop_iterations, 4);
     EXPECT_EQ(file.functions[1].loop_iterations, 3 + 3 * 4);
 }
 
 TEST(Dialect, RefusalsNameFileLineAndRule)
 {
-    EXPECT_NE(with_body("float x = 1.0;").find("nodes/primitive/bad.glsl:5: the number 1.0 needs the suffix f"), std::string::npos);
+    EXPECT_NE(with_body("float x = 1.0;").find("nodes/primitive/bad.glsl:5: the number 1.0 needs the suffix f"),
+              std::string::npos);
     EXPECT_NE(with_body("vec2 q = p.xz;").find(":5: the swizzle .xz"), std::string::npos);
     EXPECT_NE(with_body("while (true) { }").find("`while`"), std::string::npos);
     EXPECT_NE(with_body("float x = round(p.x);").find("floor(x + 0.5f)"), std::string::npos);
@@ -93,7 +96,9 @@ TEST(Dialect, ANodeMustSayWhatItsParametersAre)
     text.replace(text.find("// 1.0"), 3, "");
     EXPECT_NE(refusal(text, "nodes/primitive/torus.glsl"), "accepted");
     EXPECT_NE(refusal("// Torus\n").find("Title"), std::string::npos);
-    EXPECT_NE(refusal("// Torus: x.\nfloat torus_distance(vec3 p)\n{\n return p.x;\n}\n", "nodes/primitive/torus.glsl").find("field:"), std::string::npos);
+    EXPECT_NE(refusal("// Torus: x.\nfloat torus_distance(vec3 p)\n{\n return p.x;\n}\n", "nodes/primitive/torus.glsl")
+                  .find("field:"),
+              std::string::npos);
 }
 
 TEST(Dialect, ADefaultOutsideItsRangeIsRefused)

@@ -1,0 +1,153 @@
+// Gestures become steps, files become documents, and nothing is lost in between.
+#include "app/session.h"
+
+#include "app/new_scene.h"
+#include "graph/adapt.h"
+#include "graph/scene_file.h"
+
+namespace fieldwright::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* unsettled_name = "Edit";
+
+std::optional<fs::path> absolute_path(std::optional<fs::path> path)
+{
+    if (path) path = fs::absolute(*path).lexically_normal();
+    return path;
+}
+
+}  // namespace
+
+EditSession::EditSession(std::shared_ptr<const graph::Library> library)
+    : library_(std::move(library)), document_(app::new_scene(*library_)), history_(document_)
+{
+}
+
+bool EditSession::settle(const std::string& step_name) { return history_.record(document_, step_name); }
+
+bool EditSession::undo()
+{
+    settle(unsettled_name);
+    bool found = history_.undo();
+    if (found) land();
+    return found;
+}
+
+bool EditSession::redo()
+{
+    settle(unsettled_name);
+    bool found = history_.redo();
+    if (found) land();
+    return found;
+}
+
+bool EditSession::jump(std::size_t step)
+{
+    // Settling may drop the oldest steps, which moves the others forward, and drops the steps after the current one.
+    std::size_t dropped_before = history_.dropped();
+    settle(unsettled_name);
+    std::size_t moved = history_.dropped() - dropped_before;
+    if (step < moved || step - moved >= history_.size()) return false;
+    history_.jump(step - moved);
+    land();
+    return true;
+}
+
+// Onto a step, which may have been made under another library.
+void EditSession::land()
+{
+    document_ = history_.current();
+    adapt();
+}
+
+void EditSession::adapt()
+{
+    graph::Document fitting = graph::adapted(document_, *library_);
+    if (fitting == document_) return;
+    // A node that became a placeholder, or is none any more, is the same in the file.
+    bool same_file = graph::write_scene(fitting, *library_) == graph::write_scene(document_, *library_);
+    document_ = std::move(fitting);
+    if (!same_file && history_.at_saved_step()) history_.forget_saved();
+    history_.replace_current(document_);
+}
+
+void EditSession::use_library(std::shared_ptr<const graph::Library> library)
+{
+    settle(unsettled_name);
+    library_ = std::move(library);
+    adapt();
+}
+
+void EditSession::start(graph::Document document, std::optional<fs::path> path)
+{
+    document_ = std::move(document);
+    history_ = graph::History(document_);
+    path_ = absolute_path(std::move(path));
+    stamp_.reset();
+}
+
+void EditSession::new_scene() { start(app::new_scene(*library_), std::nullopt); }
+
+void EditSession::open(const fs::path& path)
+{
+    // Stamped before it is read: what is written in between counts as changed.
+    std::optional<FileStamp> stamp = file_stamp(path);
+    start(graph::open_scene(path, *library_), path);
+    stamp_ = stamp;
+}
+
+void EditSession::recover(const fs::path& copy, std::optional<fs::path> origin, const FileStamp& stamp)
+{
+    start(graph::open_scene(copy, *library_), std::move(origin));
+    history_.forget_saved();
+    if (path_) stamp_ = stamp;
+}
+
+void EditSession::save()
+{
+    if (!path_) throw graph::Failure(5, "the scene has no file yet; choose one with Save as");
+    save_as(*path_);
+}
+
+void EditSession::save_as(const fs::path& path)
+{
+    fs::path target = *absolute_path(scene_path(path));
+    settle(unsettled_name);
+    graph::save_scene(target, document_, *library_);
+    path_ = target;
+    stamp_ = file_stamp(target);
+    history_.mark_saved();
+}
+
+std::string EditSession::name() const { return path_ ? path_->filename().string() : "Untitled"; }
+
+bool EditSession::dirty() const { return !history_.at_saved_step() || document_ != history_.current(); }
+
+std::string EditSession::title() const { return dirty() ? name() + " \u2022" : name(); }
+
+std::string EditSession::overwrite_warning() const
+{
+    if (document_.version <= graph::document_version) return {};
+    return "This scene is of version " + std::to_string(document_.version) + "; this program knows version " +
+           std::to_string(graph::document_version) +
+           ". What it does not know is kept as it is, but may no longer fit the rest. Save under another name to be "
+           "safe.";
+}
+
+bool EditSession::changed_on_disk() const
+{
+    if (!path_ || !stamp_) return false;
+    std::optional<FileStamp> now = file_stamp(*path_);
+    return now && now != stamp_;
+}
+
+fs::path scene_path(fs::path path)
+{
+    if (path.extension() != ".json") path += ".scene.json";
+    return path;
+}
+
+}  // namespace fieldwright::app

@@ -1,0 +1,68 @@
+// The scene being edited: the live document, its history and the file it belongs to. Nothing of the window.
+#pragma once
+
+#include "app/file_stamp.h"
+#include "graph/history.h"
+#include "graph/library.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace fieldwright::app {
+
+class EditSession {
+public:
+    // Starts with a new scene.
+    explicit EditSession(std::shared_ptr<const graph::Library> library);
+
+    const std::shared_ptr<const graph::Library>& library() const { return library_; }
+    // The live document, edited through graph/edits.h at any time.
+    graph::Document& document() { return document_; }
+    const graph::Document& document() const { return document_; }
+
+    // Gestures. `settle` ends one: the live document becomes a step if it differs. The others settle first what is
+    // unsettled, and say whether they found a step.
+    bool settle(const std::string& step_name);
+    bool undo();
+    bool redo();
+    bool jump(std::size_t step);
+    const graph::History& history() const { return history_; }
+
+    // Scenes. All but `save` drop the history; the window asks about unsaved changes before.
+    void new_scene();
+    void open(const std::filesystem::path& path);  // graph::Failure; then nothing changed
+    // Opens a kept copy as unsaved changes of the file it came from, which had that stamp. graph::Failure
+    void recover(const std::filesystem::path& copy, std::optional<std::filesystem::path> origin,
+                 const FileStamp& stamp);
+    void save();                                      // to path(); graph::Failure says why it was not
+    void save_as(const std::filesystem::path& path);  // to scene_path(path), which becomes path()
+
+    const std::optional<std::filesystem::path>& path() const { return path_; }  // absolute; none until saved
+    std::string name() const;                                                   // of the file; "Untitled" without one
+    bool dirty() const;                                                         // would be lost by closing
+    std::string title() const;                                                  // name, and a dot while dirty
+    // Why the user should be asked before the next save; empty when nothing would be lost.
+    std::string overwrite_warning() const;
+    const std::optional<FileStamp>& stamp() const { return stamp_; }  // of the file as last read or written
+    bool changed_on_disk() const;  // someone else wrote the file since; false when it is gone
+
+    // Goes on under another library; the document and every step returned to are adapted to it.
+    void use_library(std::shared_ptr<const graph::Library> library);
+
+private:
+    void start(graph::Document document, std::optional<std::filesystem::path> path);
+    void land();
+    void adapt();
+
+    std::shared_ptr<const graph::Library> library_;
+    graph::Document document_;
+    graph::History history_;
+    std::optional<std::filesystem::path> path_;
+    std::optional<FileStamp> stamp_;
+};
+
+// The path with `.scene.json` added, unless it ends in `.json` already.
+std::filesystem::path scene_path(std::filesystem::path path);
+
+}  // namespace fieldwright::app

@@ -1,0 +1,14 @@
+// Brings a document up to date with another node library: what a document promises holds again.
+#pragma once
+
+#include "graph/document.h"
+#include "graph/library.h"
+
+namespace fieldwright::graph {
+
+// Nodes whose type is gone become placeholders that save as they were; placeholders whose type is there are read again.
+// New parameters get their defaults, removed ones go, values out of range move to its end. Wires that no longer fit go.
+// A document that fits already is returned unchanged.
+Document adapted(Document document, const Library& library);
+
+}  // namespace fieldwright::graph

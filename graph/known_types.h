@@ -1,0 +1,21 @@
+// The node types that the editor itself reaches for; everything else is known by category and sockets alone.
+#pragma once
+
+#include <string_view>
+
+namespace fieldwright::graph::known_types {
+
+inline constexpr std::string_view output = "output";
+inline constexpr std::string_view union_of_two = "union";
+inline constexpr std::string_view translate = "translate";
+inline constexpr std::string_view translate_offset = "offset";  // its parameter
+inline constexpr std::string_view extrude = "extrude";
+inline constexpr std::string_view paint = "paint";
+inline constexpr std::string_view perspective = "perspective";
+inline constexpr std::string_view orthographic = "orthographic";
+inline constexpr std::string_view camera_position = "position";  // parameters of both cameras
+inline constexpr std::string_view camera_target = "target";
+inline constexpr std::string_view field_of_view = "field_of_view";  // of the perspective one, degrees
+inline constexpr std::string_view view_height = "height";           // of the orthographic one, m
+
+}  // namespace fieldwright::graph::known_types
