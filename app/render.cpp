@@ -114,7 +114,9 @@ int render(const RenderArguments& arguments, const Session& session)
     require_place(arguments.output);
     auto library = session.library();
     graph::Document document = open_document(arguments.scene, *library);
-    graph::Program program = graph::lower(document, library);
+    graph::LowerOptions options;
+    options.ids = renderer::view_from_name(arguments.view) == renderer::View::id;
+    graph::Program program = graph::lower(document, library, options);
     report_problems(program, document);
     Drawing drawing(arguments, program);
     renderer::write_png(arguments.output, drawing.draw());

@@ -11,7 +11,8 @@ namespace {
 
 // What every shader with a field needs; the rest is for shaders that draw pictures.
 constexpr const char* field_files[] = {"render/types.glsl", "render/program.glsl"};
-constexpr const char* picture_files[] = {"render/march.glsl", "render/shading.glsl", "render/stereo.glsl"};
+constexpr const char* picture_files[] = {"render/march.glsl", "render/shading.glsl", "render/stereo.glsl",
+                                         "render/view.glsl"};
 
 const char* const list_reader = R"(struct List {
     int first;

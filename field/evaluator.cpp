@@ -1,6 +1,8 @@
 // Compiles an entry into operations over rows, and runs them.
 #include "field/evaluator.h"
 
+#include "field/single_arguments.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -43,14 +45,6 @@ const KernelEntry& kernel_of(const KernelTable& table, const Program& program, c
         throw graph::Failure(1, "node " + std::to_string(instruction.node.number) + " (" + instruction.function->name +
                                     ") is not compiled into this program; render it with --device gpu or rebuild");
     return *kernel;
-}
-
-// Arguments that a kernel's uniform form reads as single values. The kernel generator has the same rule.
-bool is_single(const graph::Function& function, const graph::Argument& argument)
-{
-    bool of_node = function.file.starts_with("nodes/");
-    return of_node &&
-           (argument.parameter >= 0 || argument.role == graph::Role::copy || argument.role == graph::Role::time);
 }
 
 // Looks each function up once.

@@ -1,4 +1,5 @@
 // Build step: writes every function of the dialect as C++ with a loop over rows of points, once per instruction set.
+#include "field/single_arguments.h"
 #include "graph/library.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 namespace {
 
 using namespace fieldwright::graph;
+using fieldwright::field::is_single;
 
 struct KernelSource {
     const Function* function;
@@ -130,8 +132,8 @@ class Generator {
 public:
     explicit Generator(const Library& library) : library_(library)
     {
-        for (const SourceFile& file : library.render_files()) add_file(file, nullptr);
-        for (const NodeType* type : library.types()) add_file(type->source, type);
+        for (const SourceFile& file : library.render_files()) add_file(file);
+        for (const NodeType* type : library.types()) add_file(type->source);
         std::sort(kernels_.begin(), kernels_.end(),
                   [](const auto& a, const auto& b) { return a.function->name < b.function->name; });
     }
@@ -161,25 +163,23 @@ public:
     }
 
 private:
-    void add_file(const SourceFile& file, const NodeType* type)
+    void add_file(const SourceFile& file)
     {
         source_ += "// " + file.path + "\n";
         for (const StructDeclaration& declared : file.structs) source_ += declared.text + "\n\n";
         for (const std::string& constant : file.constants) source_ += "static " + constant + "\n";
         for (const Function& function : file.functions) {
             source_ += "FIELDWRIGHT_INLINE " + function.text + "\n\n";
-            if (kernelable(function)) add_kernel(function, type);
+            if (kernelable(function)) add_kernel(function);
         }
     }
 
-    void add_kernel(const Function& function, const NodeType* type)
+    void add_kernel(const Function& function)
     {
         KernelSource source{&function, false, {}};
         for (const Argument& argument : function.arguments) {
-            bool single = argument.type.base != BaseType::list && type &&
-                          (argument.parameter >= 0 || argument.role == Role::copy || argument.role == Role::time);
-            source.single.push_back(single);
-            source.has_single = source.has_single || single;
+            source.single.push_back(is_single(function, argument));
+            source.has_single = source.has_single || source.single.back();
         }
         kernels_.push_back(std::move(source));
     }

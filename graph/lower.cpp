@@ -184,7 +184,9 @@ Entry Lowering::lower_surface(int root)
     with_surface_ = false;
     if (value.distance == no_value)
         value.material = default_material_, value.material_id = no_id_, value.node_id = no_id_;
-    return builder_.finish_entry({p}, {value.material, value.material_id, value.node_id});
+    std::vector<ValueId> results = {value.material, value.material_id, value.node_id};
+    builder_.keep_what_gives(results);
+    return builder_.finish_entry({p}, std::move(results));
 }
 
 Entry Lowering::lower_ray(int camera)

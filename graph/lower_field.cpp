@@ -85,7 +85,7 @@ Lowering::FieldValue Lowering::primitive(int index, Context context)
     if (with_surface_) {
         value.material = default_material_;
         value.material_id = no_id_;
-        value.node_id = builder_.constant_id(node(index).id.number);
+        value.node_id = id_of(node(index).id);
     }
     return value;
 }
@@ -114,7 +114,26 @@ void Lowering::paint(int index, Context context, FieldValue& value)
             source = other_source(index, parameter.name, SocketKind::material);
     if (source < 0) return;
     value.material = call_function(index, *material, context, {});
-    value.material_id = builder_.constant_id(node(source).id.number);
+    value.material_id = id_of(node(source).id);
+}
+
+// Nobody has an id in a program without ids: then nothing is left to choose.
+ValueId Lowering::id_of(NodeId node) { return options_.ids ? builder_.constant_id(node.number) : no_id_; }
+
+// How much of b's material shows.
+ValueId Lowering::blend(int index, Context context, const Bindings& sides)
+{
+    if (type(index).function("blend")) return node_call(index, "blend", context, sides);
+    return builder_.call("nearest_blend", {sides.acc, sides.d});
+}
+
+// Whether b's id shows. `weight` is the blend where that is known already.
+ValueId Lowering::shows_b(int index, Context context, const Bindings& sides, ValueId weight)
+{
+    const NodeType& type = this->type(index);
+    if (type.function("shows_b")) return node_call(index, "shows_b", context, sides);
+    if (!type.function("blend")) return builder_.call("nearest_shows", {sides.acc, sides.d});
+    return builder_.call("mostly_b", {weight == no_value ? blend(index, context, sides) : weight});
 }
 
 Lowering::FieldValue Lowering::binary(int index, Context context, bool may_divide)
@@ -137,11 +156,19 @@ Lowering::FieldValue Lowering::combined(int index, Context context, const FieldV
     FieldValue value;
     value.distance = node_call(index, "distance", context, sides);
     if (!with_surface_) return value;
-    ValueId weight = node_call(index, "blend", context, sides);
-    value.node_id = builder_.call("choose_id", {a.node_id, b.node_id, weight});
-    bool same = a.material == b.material;
-    value.material = same ? a.material : builder_.call("mix_material", {a.material, b.material, weight});
-    value.material_id = same ? a.material_id : builder_.call("choose_id", {a.material_id, b.material_id, weight});
+    value.material = a.material;
+    value.material_id = a.material_id;
+    value.node_id = a.node_id;
+    ValueId weight = no_value;
+    bool same_material = a.material == b.material;
+    if (!same_material) {
+        weight = blend(index, context, sides);
+        value.material = builder_.call("mix_material", {a.material, b.material, weight});
+    }
+    if (a.node_id == b.node_id && (same_material || a.material_id == b.material_id)) return value;
+    ValueId b_shows = shows_b(index, context, sides, weight);
+    value.node_id = builder_.call("choose_id", {a.node_id, b.node_id, b_shows});
+    if (!same_material) value.material_id = builder_.call("choose_id", {a.material_id, b.material_id, b_shows});
     return value;
 }
 
@@ -224,18 +251,17 @@ Lowering::FieldValue Lowering::block(int index, Context context, bool may_divide
     Bindings sides{.d = inner.distance, .a = value.distance, .b = inner.distance, .acc = value.distance};
     fold(value.distance, node_call(index, "distance", context, sides));
     if (with_surface_) {
-        ValueId weight = type.function("blend") ? node_call(index, "blend", context, sides)
-                                                : builder_.call("nearest_blend", {value.distance, inner.distance});
+        ValueId weight = blend(index, context, sides), b_shows = shows_b(index, context, sides, weight);
         // What is the same in every copy needs no fold.
-        auto folded = [&](std::string_view function, ValueId next, ValueId initial) {
+        auto folded = [&](std::string_view function, ValueId next, ValueId initial, ValueId share) {
             if (builder_.rate(next) != Rate::point) return next;
             ValueId accumulator = carry(initial);
-            fold(accumulator, builder_.call(function, {accumulator, next, weight}));
+            fold(accumulator, builder_.call(function, {accumulator, next, share}));
             return accumulator;
         };
-        value.material = folded("mix_material", inner.material, default_material_);
-        value.material_id = folded("choose_id", inner.material_id, no_id_);
-        value.node_id = folded("choose_id", inner.node_id, no_id_);
+        value.material = folded("mix_material", inner.material, default_material_, weight);
+        value.material_id = folded("choose_id", inner.material_id, no_id_, b_shows);
+        value.node_id = folded("choose_id", inner.node_id, no_id_, b_shows);
     }
     builder_.end_block(start, carried);
     return value;

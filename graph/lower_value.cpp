@@ -66,7 +66,7 @@ ValueId Lowering::argument(int index, const Argument& argument, Context context,
         case Role::a: return bound(bindings.a);
         case Role::b: return bound(bindings.b);
         case Role::acc: return bound(bindings.acc);
-        case Role::copy: return bindings.copy != no_value ? bindings.copy : no_id_;
+        case Role::copy: return bindings.copy != no_value ? bindings.copy : builder_.constant_int(0);
         case Role::child: return bindings.child;
         case Role::box_a: return bindings.box_a;
         case Role::box_b: return bindings.box_b;

@@ -72,6 +72,9 @@ private:
     FieldValue balanced(int index, std::span<const int> leaves, Context context, bool may_divide);
     FieldValue combined(int index, Context context, const FieldValue& a, const FieldValue& b);
     void paint(int index, Context context, FieldValue& value);
+    ValueId id_of(NodeId node);
+    ValueId blend(int index, Context context, const Bindings& sides);
+    ValueId shows_b(int index, Context context, const Bindings& sides, ValueId weight);
     std::vector<int> chain_leaves(int index);
     Context inner_context(int index, Context context, std::string_view socket);
     bool spend(int index);

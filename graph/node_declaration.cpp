@@ -13,8 +13,8 @@ namespace {
 constexpr std::array<std::string_view, 16> reserved_arguments = {"p",     "d",     "a",      "b",  "c",         "acc",
                                                                  "copy",  "cell",  "time",   "uv", "direction", "child",
                                                                  "box_a", "box_b", "camera", "sky"};
-constexpr std::array meaning_suffixes = {"distance", "point", "cell",  "blend",    "bounds", "lipschitz",
-                                         "stretch",  "value", "light", "material", "ray",    "sky"};
+constexpr std::array meaning_suffixes = {"distance", "point", "cell",  "blend",    "shows_b", "bounds", "lipschitz",
+                                         "stretch",  "value", "light", "material", "ray",     "sky"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)
@@ -336,6 +336,8 @@ private:
         if (!type_.function("bounds")) fail(1, "a field node defines `" + type_.name + "_bounds`");
         if (argument_named(type_.function("distance"), "b") && !type_.function("blend"))
             fail(1, "a combiner defines `" + type_.name + "_blend`: the share of b's material");
+        if (const Function* shows = type_.function("shows_b"); shows && shows->result.base != BaseType::boolean)
+            fail(shows->line, "`" + shows->name + "` returns a bool: whether the share of b is at least a half");
         if (type_.copies > 1 &&
             (!argument_named(type_.function("point"), "copy") || !argument_named(type_.function("distance"), "acc")))
             fail(1, "a node with `copies` defines `_point(p, ..., copy)` and `_distance(acc, d)`");

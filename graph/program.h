@@ -71,7 +71,7 @@ struct Program {
     ValueId time = no_value;         // frame-rate input, seconds
     Entry frame;                     // constant- and frame-rate calls: results go to the block
     Entry distance;                  // p -> float
-    Entry surface;                   // p -> Material, int material node id, int node id
+    Entry surface;                   // p -> Material, material node id, node id (whole numbers as float)
     Entry ray;                       // uv -> Ray
     Entry sky;                       // direction -> vec3
     std::vector<LightEntry> lights;  // shadowed first
@@ -92,6 +92,9 @@ struct LowerOptions {
     bool bounds = false;
     // When set, the distance entry is this node's field instead of the output's (2D fields at z = 0).
     NodeId root;
+    // Whether surfaces know their node and material id. Without, both are 0 everywhere, and of combiners only those
+    // are left in the surface entry whose sides differ in material: the shader is ready sooner.
+    bool ids = true;
 };
 
 // Pure; never throws for a valid document. Problems' nodes count as unconnected.

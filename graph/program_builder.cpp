@@ -78,12 +78,6 @@ ValueId ProgramBuilder::constant(const Type& type, std::span<const float> lanes,
     return value;
 }
 
-ValueId ProgramBuilder::constant_id(std::int64_t id)
-{
-    float lane = static_cast<float>(id);
-    return constant(integer_type(), {&lane, 1});
-}
-
 ValueId ProgramBuilder::list(const PointList& points, NodeId node, const char* name)
 {
     static const Type type{BaseType::list, "List"};
@@ -140,6 +134,65 @@ void ProgramBuilder::end_block(std::size_t block, std::span<const Carried> carri
     sequence_[block].first_carried = static_cast<std::int32_t>(program_.carried.size());
     sequence_[block].carried_count = static_cast<std::int32_t>(carried.size());
     program_.carried.insert(program_.carried.end(), carried.begin(), carried.end());
+}
+
+std::span<const Carried> ProgramBuilder::carried_of(const Instruction& block) const
+{
+    return std::span(program_.carried)
+        .subspan(static_cast<std::size_t>(block.first_carried), static_cast<std::size_t>(block.carried_count));
+}
+
+// By value: whether one of `results` depends on it.
+std::vector<bool> ProgramBuilder::needed_for(std::span<const ValueId> results) const
+{
+    std::vector<std::span<const ValueId>> arguments(program_.values.size());  // of what computes a value
+    for (const Instruction& instruction : sequence_) {
+        if (!instruction.is_block())
+            arguments[static_cast<std::size_t>(instruction.result)] =
+                std::span(program_.arguments)
+                    .subspan(static_cast<std::size_t>(instruction.first_argument),
+                             static_cast<std::size_t>(instruction.argument_count));
+        for (const Carried& pair : carried_of(instruction))
+            arguments[static_cast<std::size_t>(pair.accumulator)] = {&pair.next, 1};
+    }
+    std::vector<bool> needed(program_.values.size(), false);
+    std::vector<ValueId> open(results.begin(), results.end());
+    while (!open.empty()) {
+        auto value = static_cast<std::size_t>(open.back());
+        open.pop_back();
+        if (needed[value]) continue;
+        needed[value] = true;
+        open.insert(open.end(), arguments[value].begin(), arguments[value].end());
+    }
+    return needed;
+}
+
+void ProgramBuilder::keep_carried(Instruction& block, const std::vector<bool>& needed)
+{
+    auto first = program_.carried.begin() + block.first_carried;
+    auto last = std::stable_partition(first, first + block.carried_count, [&](const Carried& pair) {
+        return needed[static_cast<std::size_t>(pair.accumulator)];
+    });
+    block.carried_count = static_cast<std::int32_t>(last - first);
+}
+
+void ProgramBuilder::keep_what_gives(std::span<const ValueId> results)
+{
+    std::vector<bool> needed = needed_for(results);
+    std::vector<Instruction> kept;
+    std::vector<std::int32_t> kept_before;  // by old place
+    kept.reserve(sequence_.size());
+    for (Instruction& instruction : sequence_) {
+        kept_before.push_back(static_cast<std::int32_t>(kept.size()));
+        if (instruction.is_block()) keep_carried(instruction, needed);
+        bool keeps = instruction.is_block() ? instruction.carried_count > 0
+                                            : needed[static_cast<std::size_t>(instruction.result)];
+        if (keeps) kept.push_back(instruction);
+    }
+    kept_before.push_back(static_cast<std::int32_t>(kept.size()));
+    for (Instruction& instruction : kept)
+        if (instruction.is_block()) instruction.body_end = kept_before[static_cast<std::size_t>(instruction.body_end)];
+    sequence_ = std::move(kept);
 }
 
 Entry ProgramBuilder::finish_entry(std::vector<ValueId> inputs, std::vector<ValueId> results)

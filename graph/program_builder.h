@@ -17,7 +17,12 @@ public:
     // Constants in the block. `type_name` as in the dialect.
     ValueId constant(const Type& type, std::span<const float> lanes, NodeId node = {}, const char* name = nullptr);
     ValueId constant(float number) { return constant(real_type(), {&number, 1}); }
-    ValueId constant_id(std::int64_t id);
+    ValueId constant_int(int number)
+    {
+        float lane = static_cast<float>(number);
+        return constant(integer_type(), {&lane, 1});
+    }
+    ValueId constant_id(std::int64_t id) { return constant(static_cast<float>(id)); }
     ValueId list(const PointList& points, NodeId node, const char* name);
     // A point-rate value that a caller or a block sets.
     ValueId input(const Type& type, const char* name);
@@ -34,6 +39,8 @@ public:
 
     std::size_t position() const { return sequence_.size(); }
     void truncate(std::size_t position) { sequence_.resize(position); }
+    // Takes what none of `results` depends on out of the sequence being emitted.
+    void keep_what_gives(std::span<const ValueId> results);
     // Closes the sequence being emitted as an entry.
     Entry finish_entry(std::vector<ValueId> inputs, std::vector<ValueId> results);
     // Appends the frame sequence and hands the program over.
@@ -58,6 +65,9 @@ public:
 private:
     ValueId add_value(const Type& type, Rate rate, NodeId node, const char* name);
     std::int32_t take_slot(int lanes);
+    std::vector<bool> needed_for(std::span<const ValueId> results) const;
+    void keep_carried(Instruction& block, const std::vector<bool>& needed);
+    std::span<const Carried> carried_of(const Instruction& block) const;
 
     Program program_;
     std::vector<bool> point_dependent_;  // by value: varies with p itself, not only with the cell or the copy

@@ -27,6 +27,21 @@ Rows march_rows(const graph::Program& program)
     return rows;
 }
 
+Rows camera_rows(const graph::Library& library, const ViewCamera& camera)
+{
+    Rows rows(structure_lanes(library, "ViewCamera"));
+    auto lane = [&](std::string_view member) { return member_lane(library, "ViewCamera", member); };
+    auto set = [&](std::string_view member, const glm::vec3& value) {
+        for (int k = 0; k < 3; ++k) rows.fill(lane(member) + k, value[k]);
+    };
+    set("position", camera.position);
+    set("target", camera.target);
+    set("up", camera.up);
+    rows.fill(lane("field_of_view"), camera.field_of_view_rad);
+    rows.fill(lane("orthographic_height"), camera.orthographic_height);
+    return rows;
+}
+
 std::vector<field::Evaluator> light_evaluators(const graph::Program& program, const field::KernelTable& table)
 {
     std::vector<field::Evaluator> evaluators;
@@ -66,6 +81,7 @@ CpuScene::CpuScene(const graph::Program& program, const FrameRequest& frame_requ
       eye(constant_rows(eye_side(frame_request.eye))),
       interaxial(constant_rows(frame_request.interaxial)),
       convergence(constant_rows(frame_request.convergence)),
+      view_ray("view_ray", table),
       stereo_ray("stereo_ray", table),
       eye_probe("eye_probe", table),
       shadow_probe("shadow_probe", table),
@@ -77,6 +93,7 @@ CpuScene::CpuScene(const graph::Program& program, const FrameRequest& frame_requ
       shade_ambient("shade_ambient", table),
       shade_light("shade_light", table)
 {
+    if (request.camera) view_camera = camera_rows(*program.library, *request.camera);
 }
 
 }  // namespace fieldwright::renderer

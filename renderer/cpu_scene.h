@@ -29,7 +29,8 @@ struct CpuScene {
     std::vector<field::Evaluator> lights;  // shadowed first
 
     Rows march, budget, eye, interaxial, convergence;  // constants, spread over a row
-    RowFunction stereo_ray, eye_probe, shadow_probe, probe_point, advance, probe_done, probe_missed, probe_normal,
+    std::optional<Rows> view_camera;  // when the request has one
+    RowFunction view_ray, stereo_ray, eye_probe, shadow_probe, probe_point, advance, probe_done, probe_missed, probe_normal,
         shade_ambient, shade_light;
 };
 

@@ -42,7 +42,7 @@ void for_batches(std::span<const int> pixels, Visit visit)
         visit(pixels.subspan(first, std::min<std::size_t>(row_width, pixels.size() - first)));
 }
 
-std::vector<int> pixels_of(const TileArea& area)
+std::vector<int> pixels_of(const Area& area)
 {
     std::vector<int> pixels(static_cast<std::size_t>(area.width * area.height));
     std::iota(pixels.begin(), pixels.end(), 0);
@@ -91,21 +91,24 @@ TileRenderer::TileRenderer(const CpuScene& scene)
     for (const field::Evaluator& light : scene.lights) lights_.emplace_back(light, scene.block);
 }
 
-void TileRenderer::draw(const TileArea& area, Frame& frame)
+bool TileRenderer::draw(const Area& area, Frame& frame, const Watch& watch)
 {
+    watch_ = &watch;
     start_eyes(area);
     std::vector<int> pixels = pixels_of(area);
-    march(eyes_, pixels);
+    if (!march(eyes_, pixels)) return false;
     std::copy_n(eyes_.lane(scene_.lanes.probe_budget), pixels.size(), remaining_.lane(0));
     sort_pixels(pixels);
-    for (int light = 0; light < scene_.shadow_count; ++light) cast_shadows(light);
+    for (int light = 0; light < scene_.shadow_count; ++light)
+        if (!cast_shadows(light)) return false;
     for_batches(hits_, [&](Pixels batch) { shade_hits(batch); });
     for_batches(misses_, [&](Pixels batch) { shade_misses(batch); });
     store(area, frame);
+    return true;
 }
 
 // uv as gl_FragCoord gives it: pixel centres, y up, one unit is half the height.
-void TileRenderer::start_eyes(const TileArea& area)
+void TileRenderer::start_eyes(const Area& area)
 {
     const StructureLanes& lanes = scene_.lanes;
     auto width = static_cast<float>(scene_.request.width), height = static_cast<float>(scene_.request.height);
@@ -117,7 +120,8 @@ void TileRenderer::start_eyes(const TileArea& area)
             uv.lane(0)[i] = (2.0f * (static_cast<float>(x) + 0.5f) - width) / height;
             uv.lane(1)[i] = (2.0f * (height - static_cast<float>(y) - 0.5f) - height) / height;
         }
-        ray_(camera_ray, uv, size(batch));
+        if (scene_.view_camera) scene_.view_ray(camera_ray, size(batch), uv, *scene_.view_camera);
+        else ray_(camera_ray, uv, size(batch));
         scene_.stereo_ray(ray, size(batch), camera_ray, scene_.eye, scene_.interaxial, scene_.convergence);
         scene_.eye_probe(probe, size(batch), ray, scene_.march, scene_.budget);
         scatter(eyes_, 0, probe, 0, lanes.probe, batch);
@@ -129,16 +133,26 @@ void TileRenderer::start_eyes(const TileArea& area)
 }
 
 // Walks the waiting pixels' probes to their end. Rows stay filled: probes that are done make room for waiting ones.
-void TileRenderer::march(Rows& probes, Pixels waiting)
+bool TileRenderer::march(Rows& probes, Pixels waiting)
 {
     std::size_t next = 0;
     for (int active = 0;;) {
         active = take_waiting(probes, waiting, next, active);
-        if (active == 0) return;
+        if (active == 0) return true;
+        if (stops()) return false;
         while (4 * step(active) < active) {
         }
         active = put_back_done(probes, active);
     }
+}
+
+// Tiles of heavy scenes take tens of milliseconds, steps of light ones less than asking.
+bool TileRenderer::stops()
+{
+    auto now = std::chrono::steady_clock::now();
+    if (now - last_asked_ < std::chrono::milliseconds(1)) return false;
+    last_asked_ = now;
+    return watch_->stops();
 }
 
 int TileRenderer::take_waiting(const Rows& probes, Pixels waiting, std::size_t& next, int active)
@@ -197,7 +211,7 @@ void TileRenderer::sort_pixels(Pixels pixels)
     });
 }
 
-void TileRenderer::cast_shadows(int light)
+bool TileRenderer::cast_shadows(int light)
 {
     const StructureLanes& lanes = scene_.lanes;
     Rows rows(lanes.light), probe(lanes.probe), flag(1);
@@ -212,13 +226,14 @@ void TileRenderer::cast_shadows(int light)
         for (std::size_t i = 0; i < batch.size(); ++i)
             if (flag.lane(0)[i] < 0.5f) waiting.push_back(batch[i]);
     });
-    march(shadows_, waiting);
+    if (!march(shadows_, waiting)) return false;
     for_batches(hits_, [&](Pixels batch) {
         Rows walked = gathered(shadows_, batch);
         scene_.probe_missed(flag, size(batch), walked);
         scatter(lit_, light, flag, 0, 1, batch);
         scatter(remaining_, 0, walked, lanes.probe_budget, 1, batch);
     });
+    return true;
 }
 
 void TileRenderer::shade_hits(Pixels pixels)
@@ -254,7 +269,7 @@ void TileRenderer::shade_misses(Pixels pixels)
     scatter(colour_, 0, sky, 0, 3, pixels);
 }
 
-void TileRenderer::store(const TileArea& area, Frame& frame) const
+void TileRenderer::store(const Area& area, Frame& frame) const
 {
     const StructureLanes& lanes = scene_.lanes;
     auto at = [&](int pixel) {
@@ -265,6 +280,8 @@ void TileRenderer::store(const TileArea& area, Frame& frame) const
         std::size_t to = at(pixel);
         frame.colour[to] = colour_.vec3(0, pixel);
         frame.depth[to] = std::numeric_limits<float>::infinity();
+        frame.normal[to] = glm::vec3(0);
+        frame.node_id[to] = frame.material_id[to] = 0;
         frame.steps[to] = static_cast<int>(eyes_.lane(lanes.probe_steps)[pixel]);
         frame.exhausted[to] = eyes_.lane(lanes.probe_exhausted)[pixel] > 0.5f || remaining_.lane(0)[pixel] < 0.5f;
     }

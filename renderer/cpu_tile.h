@@ -3,15 +3,11 @@
 
 #include "renderer/cpu_scene.h"
 
+#include <chrono>
 #include <span>
 #include <vector>
 
 namespace fieldwright::renderer {
-
-// Top-down pixels of the frame.
-struct TileArea {
-    int x, y, width, height;
-};
 
 inline constexpr int tile_width = 64, tile_height = 32;  // px, at most
 
@@ -20,7 +16,8 @@ class TileRenderer {
 public:
     explicit TileRenderer(const CpuScene& scene);
 
-    void draw(const TileArea& area, Frame& frame);
+    // False, and nothing drawn, when the watch cancelled it.
+    bool draw(const Area& area, Frame& frame, const Watch& watch);
 
 private:
     using Pixels = std::span<const int>;  // of the tile: x + y * width
@@ -35,16 +32,17 @@ private:
         field::Evaluator::Workspace workspace;
     };
 
-    void start_eyes(const TileArea& area);
-    void march(Rows& probes, Pixels waiting);
+    void start_eyes(const Area& area);
+    bool march(Rows& probes, Pixels waiting);
+    bool stops();
     int take_waiting(const Rows& probes, Pixels waiting, std::size_t& next, int active);
     int step(int active);
     int put_back_done(Rows& probes, int active);
     void sort_pixels(Pixels pixels);
-    void cast_shadows(int light);
+    bool cast_shadows(int light);
     void shade_hits(Pixels pixels);
     void shade_misses(Pixels pixels);
-    void store(const TileArea& area, Frame& frame) const;
+    void store(const Area& area, Frame& frame) const;
 
     const CpuScene& scene_;
     Stage distance_, surface_, ray_, sky_;
@@ -62,6 +60,9 @@ private:
     // By lane of the batch being marched.
     Rows marching_, advanced_, point_, d_, done_;
     std::vector<int> pixel_of_;
+
+    const Watch* watch_ = nullptr;
+    std::chrono::steady_clock::time_point last_asked_;
 };
 
 }  // namespace fieldwright::renderer

@@ -10,6 +10,13 @@ namespace fieldwright::renderer {
 
 // All cores, 256 probes at a time. Throws graph::Failure{1} when a node is not compiled into this program.
 Frame render_on_cpu(const graph::Program& program, const FrameRequest& request, const Progress& progress = {});
+// Draws over the frame, which has the request's size, tile by tile; false when the watch cancelled it.
+bool draw_on_cpu(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch);
+
+// The driver reset the GPU: the device is of no more use, a new one may be.
+struct ContextLost : graph::Failure {
+    using Failure::Failure;
+};
 
 // OpenGL on EGL surfaceless, no window. Owns its context; use from the thread that made it.
 class GpuDevice {
@@ -22,6 +29,13 @@ public:
     bool software() const;              // llvmpipe, softpipe, swrast
     // Compiles when the text changed (else only uploads values), draws in strips of <= 15 ms. Failure{6} on GLSL errors.
     Frame render(const graph::Program& program, const FrameRequest& request, const Progress& progress = {});
+    // Draws over the frame, which has the request's size, from the top; false when the watch cancelled it.
+    bool draw(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch);
+    // The shader that would draw the program, and whether it is linked: of the last few texts, so that undo is at once.
+    std::string shader_text(const graph::Program& program, float time) const;
+    bool linked(const std::string& text) const;
+    // Links it and draws one pixel, since drivers finish compiling at the first draw. Blocks; Failure{6} on GLSL errors.
+    void link(const std::string& text);
     // Distances of the distance entry at points, by the same text (tests and `eval --device gpu`).
     std::vector<float> distances(const graph::Program& program, float time, const std::vector<glm::vec3>& points);
     // Number of program links so far.

@@ -120,11 +120,13 @@ void FloatTarget::bind() const
     glViewport(0, 0, width_, height_);
 }
 
-void FloatTarget::read(int attachment, float* rgba) const
+void FloatTarget::read(int attachment, float* rgba) const { read(attachment, {0, 0, width_, height_}, rgba); }
+
+void FloatTarget::read(int attachment, const Area& area, float* rgba) const
 {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
-    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, rgba);
+    glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_FLOAT, rgba);
 }
 
 }  // namespace fieldwright::renderer

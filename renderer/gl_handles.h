@@ -1,6 +1,8 @@
 // Move-only owners of GL objects; the context that made them must be current when they die.
 #pragma once
 
+#include "renderer/frame.h"
+
 #include <epoxy/gl.h>
 #include <string>
 #include <utility>
@@ -64,6 +66,7 @@ public:
     GLint uniform(const char* name) const { return glGetUniformLocation(program_.name(), name); }
     void set(const char* name, int value) const { glUniform1i(uniform(name), value); }
     void set(const char* name, float value) const { glUniform1f(uniform(name), value); }
+    void set(const char* name, const glm::vec3& value) const { glUniform3f(uniform(name), value.x, value.y, value.z); }
     GLuint name() const { return program_.name(); }
 
 private:
@@ -87,6 +90,7 @@ public:
     FloatTarget(int width, int height, int attachments);  // throws graph::Failure{1} when the driver refuses the size
     void bind() const;
     void read(int attachment, float* rgba) const;  // bottom-up rows
+    void read(int attachment, const Area& area, float* rgba) const;  // its y counts from the bottom
     int width() const { return width_; }
     int height() const { return height_; }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <list>
 #include <optional>
 
 namespace fieldwright::renderer {
@@ -30,20 +31,42 @@ bool is_software(const std::string& name)
     return false;
 }
 
-// Shader that was linked last, and from what; linking again needs another text.
-struct CachedShader {
-    std::string text;
-    std::optional<Shader> shader;
-
-    // Whether it was linked anew.
-    bool update(std::string new_text)
+// The shaders used last and their texts, the newest first: undo and redo of an edit link nothing.
+class ShaderCache {
+public:
+    // Null when the text is not linked.
+    const Shader* find(const std::string& text) const
     {
-        if (shader && text == new_text) return false;
-        shader.reset();
-        shader.emplace(new_text);
-        text = std::move(new_text);
-        return true;
+        auto known = at(text);
+        return known == linked_.end() ? nullptr : &known->second;
     }
+
+    const Shader& use(const std::string& text)
+    {
+        auto known = at(text);
+        if (known == linked_.end()) {
+            linked_.emplace_front(text, Shader(text));
+            ++links_;
+        } else {
+            linked_.splice(linked_.begin(), linked_, known);
+        }
+        if (linked_.size() > capacity) linked_.pop_back();
+        return linked_.front().second;
+    }
+
+    int links() const { return links_; }
+
+private:
+    static constexpr std::size_t capacity = 8;
+    using Linked = std::list<std::pair<std::string, Shader>>;
+
+    Linked::const_iterator at(const std::string& text) const
+    {
+        return std::find_if(linked_.begin(), linked_.end(), [&](const auto& entry) { return entry.first == text; });
+    }
+
+    Linked linked_;
+    int links_ = 0;
 };
 
 void draw_rows(int width, int first, int count)
@@ -53,18 +76,21 @@ void draw_rows(int width, int first, int count)
     glFinish();
 }
 
-void draw_in_strips(int width, int height, const Progress& progress)
+// From the top; `drawn` hears of each strip, and false from it stops the drawing.
+template <typename Drawn>
+bool draw_in_strips(int width, int height, const Drawn& drawn)
 {
     int rows = 16;
     for (int y = 0; y < height;) {
         int count = std::min(rows, height - y);
         auto start = std::chrono::steady_clock::now();
-        draw_rows(width, y, count);
+        draw_rows(width, height - y - count, count);
         double growth = std::clamp(strip_seconds / std::max(seconds_since(start), 1e-5), 0.25, 4.0);
         rows = std::clamp(static_cast<int>(rows * growth), smallest_strip, height + smallest_strip);
+        if (!drawn(Area{0, y, width, count})) return false;
         y += count;
-        if (progress) progress(static_cast<float>(y) / static_cast<float>(height));
     }
+    return true;
 }
 
 void set_march(const Shader& shader, const graph::Program& program)
@@ -87,6 +113,13 @@ void set_view(const Shader& shader, const FrameRequest& request)
     shader.set("eye", eye_side(request.eye));
     shader.set("interaxial", request.interaxial);
     shader.set("convergence", request.convergence);
+    shader.set("has_view", request.camera ? 1 : 0);
+    if (!request.camera) return;
+    shader.set("view.position", request.camera->position);
+    shader.set("view.target", request.camera->target);
+    shader.set("view.up", request.camera->up);
+    shader.set("view.field_of_view", request.camera->field_of_view_rad);
+    shader.set("view.orthographic_height", request.camera->orthographic_height);
 }
 
 // A driver that reset the GPU leaves pixels that mean nothing.
@@ -95,38 +128,38 @@ void require_context()
     bool can_tell = epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness") ||
                     epoxy_has_gl_extension("GL_ARB_robustness");
     if ((can_tell && glGetGraphicsResetStatus() != GL_NO_ERROR) || glGetError() == GL_OUT_OF_MEMORY)
-        throw graph::Failure(
+        throw ContextLost(
             1, "the GPU gave up while drawing this scene; use a simpler scene, a smaller --size or --device cpu");
 }
 
-// Reads one attachment; visit(pixel of the frame, vec4). GL rows are bottom-up, the frame's top-down.
+// Reads a strip of one attachment; visit(pixel of the frame, vec4). GL rows are bottom-up, the frame's top-down.
 template <typename Visit>
-void read_flipped(const FloatTarget& target, int attachment, std::vector<glm::vec4>& scratch, Visit visit)
+void read_flipped(const FloatTarget& target, int attachment, int frame_height, const Area& strip,
+                  std::vector<glm::vec4>& scratch, Visit visit)
 {
-    auto width = static_cast<std::size_t>(target.width()), height = static_cast<std::size_t>(target.height());
-    scratch.resize(width * height);
-    target.read(attachment, &scratch[0].x);
-    for (std::size_t y = 0; y < height; ++y)
-        for (std::size_t x = 0; x < width; ++x) visit(y * width + x, scratch[(height - 1 - y) * width + x]);
+    auto width = static_cast<std::size_t>(strip.width), rows = static_cast<std::size_t>(strip.height);
+    auto first = static_cast<std::size_t>(strip.y) * width;
+    scratch.resize(width * rows);
+    target.read(attachment, {0, frame_height - strip.y - strip.height, strip.width, strip.height}, &scratch[0].x);
+    for (std::size_t y = 0; y < rows; ++y)
+        for (std::size_t x = 0; x < width; ++x) visit(first + y * width + x, scratch[(rows - 1 - y) * width + x]);
 }
 
-Frame read_frame(const FloatTarget& target)
+void read_strip(Frame& frame, const FloatTarget& target, const Area& strip)
 {
-    Frame frame(target.width(), target.height());
     std::vector<glm::vec4> scratch;
-    read_flipped(target, 0, scratch, [&](std::size_t i, const glm::vec4& texel) {
+    read_flipped(target, 0, frame.height, strip, scratch, [&](std::size_t i, const glm::vec4& texel) {
         frame.colour[i] = glm::vec3(texel);
         frame.exhausted[i] = texel.w > 0.5f;
     });
-    read_flipped(target, 1, scratch, [&](std::size_t i, const glm::vec4& texel) {
+    read_flipped(target, 1, frame.height, strip, scratch, [&](std::size_t i, const glm::vec4& texel) {
         frame.depth[i] = texel.x < 0 ? std::numeric_limits<float>::infinity() : texel.x;
         frame.node_id[i] = static_cast<int>(texel.y);
         frame.material_id[i] = static_cast<int>(texel.z);
         frame.steps[i] = static_cast<int>(texel.w);
     });
-    read_flipped(target, 2, scratch,
+    read_flipped(target, 2, frame.height, strip, scratch,
                  [&](std::size_t i, const glm::vec4& texel) { frame.normal[i] = glm::vec3(texel); });
-    return frame;
 }
 
 }  // namespace
@@ -137,14 +170,13 @@ struct GpuDevice::State {
     VertexArray vertices;
     Buffer block;
     FloatTexture lists, points;
-    CachedShader picture, distances;
+    ShaderCache shaders;
     std::optional<FloatTarget> target;
-    int links = 0;
 
     State();
     codegen::Placement placement(std::span<const float> values) const;
     void upload(const Shader& shader, const graph::Program& program, std::span<const float> values);
-    void size_target(int width, int height);
+    void size_target(int width, int height);  // at least
 };
 
 GpuDevice::State::State()
@@ -183,11 +215,12 @@ void GpuDevice::State::upload(const Shader& shader, const graph::Program& progra
 
 void GpuDevice::State::size_target(int width, int height)
 {
-    if (!target || target->width() != width || target->height() != height) {
+    if (!target || target->width() < width || target->height() < height) {
         target.reset();
         target.emplace(width, height, 3);
     }
     target->bind();
+    glViewport(0, 0, width, height);
 }
 
 GpuDevice::GpuDevice() : state_(std::make_unique<State>()) {}
@@ -204,23 +237,53 @@ GpuDevice::~GpuDevice()
 
 std::string GpuDevice::renderer_name() const { return state_->name; }
 bool GpuDevice::software() const { return is_software(state_->name); }
-int GpuDevice::links() const { return state_->links; }
+int GpuDevice::links() const { return state_->shaders.links(); }
 
-Frame GpuDevice::render(const graph::Program& program, const FrameRequest& request, const Progress& progress)
+std::string GpuDevice::shader_text(const graph::Program& program, float time) const
+{
+    std::vector<float> values = field::evaluate_frame(program, time);
+    return codegen::print_fragment_shader(program, values, state_->placement(values));
+}
+
+bool GpuDevice::linked(const std::string& text) const { return state_->shaders.find(text) != nullptr; }
+
+void GpuDevice::link(const std::string& text)
+{
+    state_->context.make_current();
+    if (linked(text)) return;
+    const Shader& shader = state_->shaders.use(text);
+    shader.use();
+    state_->size_target(1, 1);
+    draw_rows(1, 0, 1);
+    require_context();
+}
+
+bool GpuDevice::draw(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch)
 {
     state_->context.make_current();
     std::vector<float> values = field::evaluate_frame(program, request.time);
-    bool linked = state_->picture.update(codegen::print_fragment_shader(program, values, state_->placement(values)));
-    state_->links += linked ? 1 : 0;
-    const Shader& shader = *state_->picture.shader;
+    std::string text = codegen::print_fragment_shader(program, values, state_->placement(values));
+    bool linked_before = linked(text);
+    const Shader& shader = state_->shaders.use(text);
     state_->upload(shader, program, values);
     set_march(shader, program);
     set_view(shader, request);
     state_->size_target(request.width, request.height);
-    if (linked) draw_rows(1, 0, 1);  // drivers finish compiling at the first draw, which must not size the strips
-    draw_in_strips(request.width, request.height, progress);
-    Frame frame = read_frame(*state_->target);
-    require_context();
+    if (!linked_before) draw_rows(1, 0, 1);  // or compiling would size the strips
+    return draw_in_strips(request.width, request.height, [&](const Area& strip) {
+        read_strip(frame, *state_->target, strip);
+        require_context();
+        if (watch.part_drawn) watch.part_drawn(frame, strip);
+        if (watch.progress)
+            watch.progress(static_cast<float>(strip.y + strip.height) / static_cast<float>(request.height));
+        return !watch.stops();
+    });
+}
+
+Frame GpuDevice::render(const graph::Program& program, const FrameRequest& request, const Progress& progress)
+{
+    Frame frame(request.width, request.height);
+    draw(frame, program, request, {.progress = progress});
     return frame;
 }
 
@@ -228,9 +291,8 @@ std::vector<float> GpuDevice::distances(const graph::Program& program, float tim
 {
     state_->context.make_current();
     std::vector<float> values = field::evaluate_frame(program, time);
-    state_->links +=
-        state_->distances.update(codegen::print_distance_shader(program, values, state_->placement(values)));
-    const Shader& shader = *state_->distances.shader;
+    const Shader& shader =
+        state_->shaders.use(codegen::print_distance_shader(program, values, state_->placement(values)));
     state_->upload(shader, program, values);
     shader.set("points", points_unit);
     shader.set("points_per_row", points_across);
@@ -246,7 +308,7 @@ std::vector<float> GpuDevice::distances(const graph::Program& program, float tim
         state_->points.upload(&texels[0].x, batch);
         draw_rows(points_across, 0, static_cast<int>((count + points_across - 1) / points_across));
         std::vector<glm::vec4> drawn(batch);
-        state_->target->read(0, &drawn[0].x);
+        state_->target->read(0, {0, 0, points_across, points_across}, &drawn[0].x);
         for (std::size_t i = 0; i < count; ++i) result.push_back(drawn[i].x);
     }
     require_context();

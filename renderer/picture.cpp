@@ -1,7 +1,7 @@
 // Views and anaglyphs by the shading library's functions, and the sRGB encoding.
 #include "renderer/picture.h"
 
-#include "renderer/rows.h"
+#include "renderer/srgb_table.h"
 
 #include <tbb/parallel_for.h>
 #include <algorithm>
@@ -11,46 +11,27 @@ namespace fieldwright::renderer {
 namespace {
 
 using field::row_width;
-using Pixels = std::vector<glm::vec3>;  // linear Rec.709
 
-template <typename Draw>
-void for_rows(std::size_t pixels, Draw draw)
-{
-    std::size_t batches = (pixels + row_width - 1) / row_width;
-    tbb::parallel_for(std::size_t{0}, batches, [&](std::size_t batch) {
-        std::size_t first = batch * row_width;
-        draw(first, static_cast<int>(std::min<std::size_t>(row_width, pixels - first)));
-    });
-}
+constexpr int band_height = 16;  // px, of what one thread encodes at a time
 
-Rows rows_of(const Pixels& pixels, std::size_t first, int count)
+void load(Rows& rows, const std::vector<glm::vec3>& pixels, std::size_t first, int count)
 {
-    Rows rows(3);
-    for (int i = 0; i < count; ++i)
-        for (int k = 0; k < 3; ++k) rows.lane(k)[i] = pixels[first + static_cast<std::size_t>(i)][k];
-    return rows;
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < count; ++i) rows.lane(k)[i] = pixels[first + static_cast<std::size_t>(i)][k];
 }
 
 template <typename Number>
-Rows rows_of(const std::vector<Number>& numbers, std::size_t first, int count)
+void load(Rows& rows, const std::vector<Number>& numbers, std::size_t first, int count)
 {
-    Rows rows(1);
     for (int i = 0; i < count; ++i) rows.lane(0)[i] = static_cast<float>(numbers[first + static_cast<std::size_t>(i)]);
-    return rows;
-}
-
-void store(Pixels& pixels, std::size_t first, int count, const Rows& rows)
-{
-    for (int i = 0; i < count; ++i) pixels[first + static_cast<std::size_t>(i)] = rows.vec3(0, i);
 }
 
 // The kernels know no infinity: a miss is a negative depth.
-Rows finite_depth(const std::vector<float>& depth, std::size_t first, int count)
+void load_depth(Rows& rows, const std::vector<float>& depth, std::size_t first, int count)
 {
-    Rows rows = rows_of(depth, first, count);
+    load(rows, depth, first, count);
     for (int i = 0; i < count; ++i)
         if (!std::isfinite(rows.lane(0)[i])) rows.lane(0)[i] = -1.0f;
-    return rows;
 }
 
 const char* function_of(View view)
@@ -65,41 +46,11 @@ const char* function_of(View view)
     return "view_id";
 }
 
-Pixels view_pixels(const Frame& frame, View view, int step_limit)
+void store_bytes(unsigned char* rgb, const Rows& linear, int count)
 {
-    Pixels pixels(frame.colour.size());
-    const RowFunction show(function_of(view), field::kernels());
-    Rows limit(1);
-    limit.fill(0, static_cast<float>(step_limit));
-    for_rows(pixels.size(), [&](std::size_t first, int count) {
-        Rows shown(3);
-        switch (view) {
-            case View::beauty: show(shown, count, rows_of(frame.colour, first, count)); break;
-            case View::steps:
-                show(shown, count, rows_of(frame.steps, first, count), limit, rows_of(frame.exhausted, first, count));
-                break;
-            case View::normal: show(shown, count, rows_of(frame.normal, first, count)); break;
-            case View::depth: show(shown, count, finite_depth(frame.depth, first, count)); break;
-            case View::id: show(shown, count, rows_of(frame.node_id, first, count)); break;
-        }
-        store(pixels, first, count, shown);
-    });
-    return pixels;
-}
-
-Picture encoded(const Pixels& pixels, int width, int height)
-{
-    Picture picture{width, height, std::vector<unsigned char>(3 * pixels.size())};
-    const RowFunction srgb_encode("srgb_encode", field::kernels());
-    for_rows(pixels.size(), [&](std::size_t first, int count) {
-        Rows srgb(3);
-        srgb_encode(srgb, count, rows_of(pixels, first, count));
-        for (int i = 0; i < count; ++i)
-            for (int k = 0; k < 3; ++k)
-                picture.rgb[3 * (first + static_cast<std::size_t>(i)) + static_cast<std::size_t>(k)] =
-                    static_cast<unsigned char>(std::floor(255.0f * srgb.lane(k)[i] + 0.5f));
-    });
-    return picture;
+    const SrgbTable& table = SrgbTable::shared();
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k) rgb[3 * i + k] = table.byte(linear.lane(k)[i]);
 }
 
 // The enumerators are in the order of their names.
@@ -129,23 +80,91 @@ std::optional<View> view_from_name(std::string_view name) { return by_name<View>
 
 std::optional<Stereo> stereo_from_name(std::string_view name) { return by_name<Stereo>(stereo_names(), name); }
 
+struct PictureEncoder::Scratch {
+    Rows left{3}, right{3}, combined{3}, input{3};
+};
+
+PictureEncoder::PictureEncoder(View view, int step_limit, Stereo stereo)
+    : view_(view),
+      stereo_(stereo),
+      show_(function_of(view), field::kernels()),
+      combine_(stereo == Stereo::naive ? "naive_anaglyph" : "dubois_anaglyph", field::kernels())
+{
+    if (view == View::steps) fill_step_colours(step_limit);
+}
+
+void PictureEncoder::fill_step_colours(int step_limit)
+{
+    Rows steps(1), limit(1), exhausted(1), shown(3);
+    limit.fill(0, static_cast<float>(step_limit));
+    for (int first = 0; first <= step_limit + 1; first += row_width) {
+        int count = std::min(row_width, step_limit + 2 - first);
+        for (int i = 0; i < count; ++i) {
+            steps.lane(0)[i] = static_cast<float>(first + i);
+            exhausted.lane(0)[i] = first + i > step_limit ? 1.0f : 0.0f;
+        }
+        show_(shown, count, steps, limit, exhausted);
+        for (int i = 0; i < count; ++i) step_colours_.push_back(shown.vec3(0, i));
+    }
+}
+
+void PictureEncoder::show_steps(Rows& shown, const Frame& frame, std::size_t first, int count) const
+{
+    for (int i = 0; i < count; ++i) {
+        std::size_t pixel = first + static_cast<std::size_t>(i), last = step_colours_.size() - 1;
+        auto steps = static_cast<std::size_t>(std::max(frame.steps[pixel], 0));
+        const glm::vec3& colour = step_colours_[frame.exhausted[pixel] ? last : std::min(steps, last - 1)];
+        for (int k = 0; k < 3; ++k) shown.lane(k)[i] = colour[k];
+    }
+}
+
+void PictureEncoder::show(Rows& shown, const Frame& frame, std::size_t first, int count, Scratch& scratch) const
+{
+    Rows& input = scratch.input;
+    switch (view_) {
+        case View::beauty: load(input, frame.colour, first, count); break;
+        case View::steps: return show_steps(shown, frame, first, count);
+        case View::normal: load(input, frame.normal, first, count); break;
+        case View::depth: load_depth(input, frame.depth, first, count); break;
+        case View::id: load(input, frame.node_id, first, count); break;
+    }
+    show_(shown, count, input);
+}
+
+void PictureEncoder::encode(Picture& picture, const Area& area, const Frame& left, const Frame& right) const
+{
+    Scratch scratch;
+    auto encode_run = [&](std::size_t first, int count) {
+        show(scratch.left, left, first, count, scratch);
+        unsigned char* rgb = &picture.rgb[3 * first];
+        if (stereo_ == Stereo::off) return store_bytes(rgb, scratch.left, count);
+        show(scratch.right, right, first, count, scratch);
+        combine_(scratch.combined, count, scratch.left, scratch.right);
+        store_bytes(rgb, scratch.combined, count);
+    };
+    for (int y = area.y; y < area.y + area.height; ++y)
+        for (int x = 0; x < area.width; x += row_width) {
+            auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                         static_cast<std::size_t>(area.x + x);
+            encode_run(first, std::min(row_width, area.width - x));
+        }
+}
+
 Picture picture(const Frame& frame, View view, int step_limit)
 {
-    return encoded(view_pixels(frame, view, step_limit), frame.width, frame.height);
+    return anaglyph(frame, frame, view, step_limit, Stereo::off);
 }
 
 Picture anaglyph(const Frame& left, const Frame& right, View view, int step_limit, Stereo stereo)
 {
-    if (stereo == Stereo::off) return picture(left, view, step_limit);
-    const Pixels left_pixels = view_pixels(left, view, step_limit), right_pixels = view_pixels(right, view, step_limit);
-    const RowFunction combine(stereo == Stereo::naive ? "naive_anaglyph" : "dubois_anaglyph", field::kernels());
-    Pixels pixels(left_pixels.size());
-    for_rows(pixels.size(), [&](std::size_t first, int count) {
-        Rows combined(3);
-        combine(combined, count, rows_of(left_pixels, first, count), rows_of(right_pixels, first, count));
-        store(pixels, first, count, combined);
+    Picture picture{left.width, left.height, std::vector<unsigned char>(3 * left.colour.size())};
+    const PictureEncoder encoder(view, step_limit, stereo);
+    int bands = (left.height + band_height - 1) / band_height;
+    tbb::parallel_for(0, bands, [&](int band) {
+        int y = band * band_height;
+        encoder.encode(picture, {0, y, left.width, std::min(band_height, left.height - y)}, left, right);
     });
-    return encoded(pixels, left.width, left.height);
+    return picture;
 }
 
 }  // namespace fieldwright::renderer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/frame.h"
+#include "renderer/rows.h"
 
 #include <filesystem>
 #include <string_view>
@@ -20,6 +21,25 @@ const std::vector<std::string>& stereo_names();
 struct Picture {
     int width = 0, height = 0;
     std::vector<unsigned char> rgb;
+};
+
+// Frames as 8-bit pixels: one view of one eye, or an anaglyph of two. Threads share it.
+class PictureEncoder {
+public:
+    PictureEncoder(View view, int step_limit, Stereo stereo = Stereo::off);
+    // The picture and the frames are of one size. Only anaglyphs read `right`.
+    void encode(Picture& picture, const Area& area, const Frame& left, const Frame& right) const;
+
+private:
+    struct Scratch;
+    void show(Rows& shown, const Frame& frame, std::size_t first, int count, Scratch& scratch) const;
+    void show_steps(Rows& shown, const Frame& frame, std::size_t first, int count) const;
+    void fill_step_colours(int step_limit);
+
+    View view_;
+    Stereo stereo_;
+    RowFunction show_, combine_;
+    std::vector<glm::vec3> step_colours_;  // by number of steps, then the one of pixels that ran out of them
 };
 
 Picture picture(const Frame& frame, View view, int step_limit);

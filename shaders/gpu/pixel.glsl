@@ -4,8 +4,8 @@ struct Pixel {
     vec3 colour;
     float exhausted;
     float depth;  // -1 on a miss
-    int node_id;
-    int material_id;
+    float node_id;
+    float material_id;
     int steps;
     vec3 normal;
 };
@@ -39,8 +39,8 @@ Pixel trace_pixel(Ray ray, March march, int step_budget, int ray_count)
 
     Pixel pixel;
     pixel.colour = scene_sky(hit ? normal : ray.direction);
-    pixel.node_id = 0;
-    pixel.material_id = 0;
+    pixel.node_id = 0.0;
+    pixel.material_id = 0.0;
     if (hit) {
         Surface surface = scene_surface(position);
         pixel.node_id = surface.node_id;

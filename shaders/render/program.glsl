@@ -37,9 +37,16 @@ Material mix_material(Material a, Material b, float weight)
     return material;
 }
 
-int choose_id(int a, int b, float weight)
+// Ids are floats, exact up to 2^24: this selection is one operation, where one between ints compiles as a branch.
+float choose_id(float a, float b, bool b_shows)
 {
-    return weight < 0.5f ? a : b;
+    return mix(a, b, b_shows);
+}
+
+// Whether b's id shows, for combiners that do not say so themselves.
+bool mostly_b(float weight)
+{
+    return weight >= 0.5f;
 }
 
 vec2 splat_vec2(float x)
@@ -73,6 +80,11 @@ float nothing_distance(vec3 p)
 float nearest_blend(float acc, float d)
 {
     return d < acc ? 1.0f : 0.0f;
+}
+
+bool nearest_shows(float acc, float d)
+{
+    return d < acc;
 }
 
 // Sky of a scene without one.

@@ -38,8 +38,8 @@ struct Sky {
 
 struct Surface {
     Material material;
-    int material_id;
-    int node_id;
+    float material_id;
+    float node_id;
 };
 
 const float UNBOUNDED = 1.0e6f;

@@ -101,6 +101,18 @@ TEST(Dialect, ANodeMustSayWhatItsParametersAre)
               std::string::npos);
 }
 
+TEST(Dialect, WhetherBShowsIsABool)
+{
+    std::string text =
+        "// Bad: a test.\n// field: exact\nfloat bad_distance(float a, float b)\n{\n    return min(a, b);\n}\n"
+        "float bad_blend(float a, float b)\n{\n    return b < a ? 1.0f : 0.0f;\n}\n"
+        "bool bad_shows_b(float a, float b)\n{\n    return b < a;\n}\n"
+        "Box bad_bounds(Box box_a, Box box_b) { return box_a; }\n";
+    EXPECT_EQ(refusal(text), "accepted");
+    text.replace(text.find("bool"), 4, "float");
+    EXPECT_NE(refusal(text).find("returns a bool"), std::string::npos);
+}
+
 TEST(Dialect, ADefaultOutsideItsRangeIsRefused)
 {
     std::string text = torus;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+#include <atomic>
 #include <cmath>
 
 namespace fieldwright::tests {
@@ -78,6 +79,47 @@ TEST(Devices, draw_the_same_picture_from_every_eye)
     for (Eye eye : {Eye::centre, Eye::left, Eye::right}) {
         request.eye = eye;
         expect_alike(program, gpu, request);
+    }
+}
+
+TEST(Devices, draw_the_same_picture_through_the_viewports_camera)
+{
+    GpuDevice gpu;
+    graph::Program program = still_life().program();
+    FrameRequest request = small_request();
+    request.camera = ViewCamera{.position = {-3, 2, 5}, .target = {0, 0.5f, 0}, .up = {0.3f, 1, 0.1f}};
+    expect_alike(program, gpu, request);
+    request.camera->orthographic_height = 4;
+    request.eye = Eye::left;
+    expect_alike(program, gpu, request);
+    EXPECT_EQ(gpu.links(), 1);
+}
+
+TEST(ViewCamera, equal_to_the_scenes_gives_the_scenes_picture)
+{
+    graph::Program program = still_life().program();
+    FrameRequest request = small_request();
+    Picture of_scene = picture(render_on_cpu(program, request), View::normal, 256);
+    request.camera = ViewCamera{
+        .position = {1.2f, 2.6f, 6.5f}, .target = {0, 0.6f, 0}, .field_of_view_rad = glm::radians(45.0f)};
+    EXPECT_LE(share_apart(of_scene, picture(render_on_cpu(program, request), View::normal, 256)), 0.001);
+    request.camera->position.x = 2.5f;
+    EXPECT_GT(share_apart(of_scene, picture(render_on_cpu(program, request), View::normal, 256)), 0.1);
+}
+
+TEST(Devices, stop_between_tiles_and_strips)
+{
+    GpuDevice gpu;
+    graph::Program program = still_life().program();
+    FrameRequest request{.width = 256, .height = 512};
+    Frame frame(request.width, request.height);
+    for (bool on_gpu : {false, true}) {
+        std::atomic<int> parts = 0;
+        Watch watch{.part_drawn = [&](const Frame&, const Area&) { ++parts; }, .cancelled = [&] { return parts >= 2; }};
+        bool finished = on_gpu ? gpu.draw(frame, program, request, watch) : draw_on_cpu(frame, program, request, watch);
+        EXPECT_FALSE(finished);
+        EXPECT_GE(parts, 2);
+        EXPECT_LE(parts, 24) << "of 64 tiles and more";
     }
 }
 
@@ -162,6 +204,21 @@ TEST(GpuDevice, links_again_only_when_the_text_changed)
     s.show(s.node("sphere"));
     gpu.render(s.program(), later);
     EXPECT_EQ(gpu.links(), 2);
+}
+
+TEST(GpuDevice, goes_back_to_a_text_of_a_while_ago_without_a_link)
+{
+    GpuDevice gpu;
+    auto draw = [&](const char* shape) {
+        Scene s;
+        s.show(s.node(shape));
+        return gpu.render(s.program(), small_request());
+    };
+    Frame first = draw("sphere");
+    draw("box");
+    draw("torus");
+    expect_equal(first, draw("sphere"));
+    EXPECT_EQ(gpu.links(), 3);
 }
 
 TEST(GpuDevice, gives_the_distances_of_the_cpu)

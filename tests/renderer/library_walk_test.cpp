@@ -5,6 +5,7 @@
 #include "tests/support/starter.h"
 
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
 namespace fieldwright::tests {
@@ -84,8 +85,8 @@ TEST(LibraryWalk, compiles_every_function_for_every_instruction_set)
     ASSERT_GE(count, 1);
     for (const NodeType* type : library()->types()) {
         EXPECT_TRUE(type->compiled) << type->name;
-        for (const char* suffix : {"distance", "point", "point_a", "point_b", "cell", "blend", "bounds", "lipschitz",
-                                   "stretch", "value", "material", "light", "ray", "sky"}) {
+        for (const char* suffix : {"distance", "point", "point_a", "point_b", "cell", "blend", "shows_b", "bounds",
+                                   "lipschitz", "stretch", "value", "material", "light", "ray", "sky"}) {
             const graph::Function* function = type->function(suffix);
             if (!function || (type->category == "output" && std::string_view(suffix) == "distance")) continue;
             for (int i = 0; i < count; ++i)
@@ -93,6 +94,56 @@ TEST(LibraryWalk, compiles_every_function_for_every_instruction_set)
                     << function->name << " " << tables[i]->instruction_set;
         }
     }
+}
+
+// A row for every argument that `_blend` and `_shows_b` may take, on a coarse grid now and then: ties count.
+std::map<std::string, std::vector<float>> combiner_rows(const NodeType& type, Random& random)
+{
+    std::map<std::string, std::vector<float>> rows;
+    auto fill = [&](const std::string& name, const auto& number) {
+        for (int i = 0; i < field::row_width; ++i) rows[name].push_back(number());
+    };
+    for (const char* side : {"a", "b"})
+        fill(side, [&] {
+            return random.chance(0.5f) ? random.between(-1, 1) : 0.25f * static_cast<float>(random.below(9) - 4);
+        });
+    for (const Parameter& parameter : type.parameters)
+        fill(parameter.name, [&] {
+            return parameter.kind == ParameterKind::choice
+                       ? static_cast<float>(random.below(static_cast<int>(parameter.choices.size())))
+                       : random_component(random, parameter, std::get<float>(parameter.initial));
+        });
+    return rows;
+}
+
+std::vector<float> called(const graph::Function& function, const std::map<std::string, std::vector<float>>& rows)
+{
+    std::vector<const float*> arguments;
+    for (const graph::Argument& argument : function.arguments) arguments.push_back(rows.at(argument.name).data());
+    std::vector<float> result(field::row_width);
+    field::find_kernel(field::kernels(), function.name)
+        ->varying(result.data(), arguments.data(), nullptr, field::row_width);
+    return result;
+}
+
+TEST(LibraryWalk, shows_the_id_of_b_where_at_least_half_of_its_material_shows)
+{
+    int walked = 0;
+    for (const NodeType* type : library()->types()) {
+        const graph::Function *shows = type->function("shows_b"), *blend = type->function("blend");
+        if (!shows) continue;
+        ASSERT_TRUE(blend) << type->name;
+        ++walked;
+        for (std::uint64_t round = 0; round < 40; ++round) {
+            Random random(round);
+            auto rows = combiner_rows(*type, random);
+            std::vector<float> weights = called(*blend, rows), flags = called(*shows, rows);
+            for (std::size_t i = 0; i < weights.size(); ++i)
+                ASSERT_EQ(flags[i] > 0.5f, weights[i] >= 0.5f)
+                    << type->name << " a " << rows.at("a")[i] << " b " << rows.at("b")[i] << " blend " << weights[i];
+        }
+    }
+    EXPECT_GE(walked, 6);
 }
 
 TEST(LibraryWalk, every_type_draws_alike_on_both_devices)

@@ -3,10 +3,12 @@
 
 #include "graph/problem.h"
 #include "renderer/rows.h"
+#include "renderer/srgb_table.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -77,6 +79,24 @@ TEST(Beauty, is_clamped_and_encoded_as_srgb)
 {
     EXPECT_EQ(shown(one_colour(vec3(0.18f, 0.5f, 1.0f)), View::beauty), (Bytes{118, 188, 255}));
     EXPECT_EQ(shown(one_colour(vec3(-1.0f, 9.0f, 0.002f)), View::beauty), (Bytes{0, 255, 7}));
+}
+
+TEST(Beauty, has_the_byte_of_the_shading_librarys_encoding_at_every_value)
+{
+    const RowFunction encode("srgb_encode_channel", field::kernels());
+    Rows x(1), encoded(1);
+    for (int batch = -2; batch < 400; ++batch) {
+        for (int i = 0; i < field::row_width; ++i)
+            x.lane(0)[i] = static_cast<float>(batch * field::row_width + i) * (1.0f / 99991.0f);
+        encode(encoded, field::row_width, x);
+        for (int i = 0; i < field::row_width; ++i) {
+            int byte = static_cast<int>(std::floor(255.0f * encoded.lane(0)[i] + 0.5f));
+            ASSERT_EQ(SrgbTable::shared().byte(x.lane(0)[i]), byte) << x.lane(0)[i];
+        }
+    }
+    EXPECT_EQ(SrgbTable::shared().byte(-std::numeric_limits<float>::infinity()), 0);
+    EXPECT_EQ(SrgbTable::shared().byte(std::numeric_limits<float>::infinity()), 255);
+    EXPECT_EQ(SrgbTable::shared().byte(std::numeric_limits<float>::quiet_NaN()), 0);
 }
 
 TEST(Steps, are_viridis_from_none_to_the_limit_and_magenta_when_exhausted)

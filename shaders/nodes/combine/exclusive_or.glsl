@@ -12,6 +12,11 @@ float exclusive_or_blend(float a, float b)
     return abs(b) < abs(a) ? 1.0f : 0.0f;
 }
 
+bool exclusive_or_shows_b(float a, float b)
+{
+    return abs(b) < abs(a);
+}
+
 Box exclusive_or_bounds(Box box_a, Box box_b)
 {
     return join_boxes(box_a, box_b);

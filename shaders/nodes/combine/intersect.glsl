@@ -12,6 +12,11 @@ float intersect_blend(float a, float b)
     return b > a ? 1.0f : 0.0f;
 }
 
+bool intersect_shows_b(float a, float b)
+{
+    return b > a;
+}
+
 Box intersect_bounds(Box box_a, Box box_b)
 {
     return overlap_boxes(box_a, box_b);

@@ -7,8 +7,8 @@ float smooth_subtract_distance(
     float smoothness)  // 0.2 [0, 10] [0, 1] m  Size of the blend: it acts where the two surfaces are nearer than this.
 {
     float size = max(smoothness, 1.0e-6f);
-    float overlap = max(size - abs(a + b), 0.0f) / size;
-    return max(a, -b) + 0.25f * size * overlap * overlap;
+    float overlap = max(size - abs(a + b), 0.0f);
+    return max(a, -b) + overlap * overlap * (0.25f / size);
 }
 
 float smooth_subtract_blend(

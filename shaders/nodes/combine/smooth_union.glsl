@@ -7,8 +7,8 @@ float smooth_union_distance(
     float smoothness)  // 0.3 [0, 10] [0, 1] m  Size of the blend: it acts where the two distances differ by less.
 {
     float size = max(smoothness, 1.0e-6f);
-    float overlap = max(size - abs(a - b), 0.0f) / size;
-    return min(a, b) - 0.25f * size * overlap * overlap;
+    float overlap = max(size - abs(a - b), 0.0f);
+    return min(a, b) - overlap * overlap * (0.25f / size);
 }
 
 float smooth_union_blend(float a, float b, float smoothness)
@@ -16,6 +16,11 @@ float smooth_union_blend(float a, float b, float smoothness)
     float size = max(smoothness, 1.0e-6f);
     float share = 0.5f * max(size - abs(a - b), 0.0f) / size;
     return b < a ? 1.0f - share : share;
+}
+
+bool smooth_union_shows_b(float a, float b)
+{
+    return b <= a;
 }
 
 Box smooth_union_bounds(Box box_a, Box box_b, float smoothness)

@@ -17,6 +17,11 @@ float subtract_blend(
     return cut_face == 0 ? 0.0f : (cut_face == 1 ? beyond_cut : nearer_b);
 }
 
+bool subtract_shows_b(float a, float b, int cut_face)
+{
+    return cut_face == 1 ? -b > a : (cut_face == 2 && abs(b) < abs(a));
+}
+
 Box subtract_bounds(Box box_a)
 {
     return box_a;

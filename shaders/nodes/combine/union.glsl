@@ -12,6 +12,11 @@ float union_blend(float a, float b)
     return b < a ? 1.0f : 0.0f;
 }
 
+bool union_shows_b(float a, float b)
+{
+    return b < a;
+}
+
 Box union_bounds(Box box_a, Box box_b)
 {
     return join_boxes(box_a, box_b);

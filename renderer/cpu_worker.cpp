@@ -1,0 +1,63 @@
+// Pictures on the CPU: coarse in time, then finer while nothing new is asked for.
+#include "renderer/cpu_worker.h"
+
+#include "renderer/devices.h"
+
+#include <tbb/parallel_for.h>
+
+namespace fieldwright::renderer {
+namespace {
+
+constexpr double coarse_seconds = 0.05;  // half of what a hand notices: the machine may be busy
+
+}  // namespace
+
+void CpuWorker::run()
+{
+    lower_priority("render cpu");
+    while (std::optional<Job> job = desk_.wait_for_job(Device::cpu)) {
+        if (arena_.execute([&] { return draw(*job); })) desk_.done(Device::cpu, *job);
+    }
+}
+
+// False when it was stopped.
+bool CpuWorker::draw(const Job& job)
+{
+    try {
+        if (!job.request->program->gpu_only) return draw_passes(job);
+        if (!desk_.has_gpu())
+            fail(job, "a node of this scene is not built into this program and needs a GPU, and there is none; rebuild");
+    } catch (const std::exception& failure) {
+        fail(job, failure.what());
+    }
+    return true;
+}
+
+void CpuWorker::fail(const Job& job, const std::string& sentence)
+{
+    if (sentence != last_failure_) desk_.report(Failed{sentence, job.request->generation});
+    last_failure_ = sentence;
+}
+
+double CpuWorker::expected_seconds_per_pixel(const graph::Program& program) const
+{
+    return pace_.known() ? pace_.seconds_per_pixel(program) : guessed_cpu_seconds_per_pixel(program);
+}
+
+bool CpuWorker::draw_passes(const Job& job)
+{
+    const PictureRequest& request = *job.request;
+    std::optional<int> shown_divisor = show_again(desk_, Device::cpu, job);
+    double pace = expected_seconds_per_pixel(*request.program);
+    for (const PassPlan& plan : passes(request, pace, coarse_seconds, shown_divisor)) {
+        std::optional<double> seconds = PicturePass(desk_, frames_, Device::cpu, job, plan).draw(draw_on_cpu);
+        if (!seconds) return false;
+        double eyes = request.stereo == Stereo::off ? 1 : 2;
+        pace_.note(*request.program, *seconds / eyes, pixel_count(divided(request.frame, plan.divisor)));
+        desk_.note_pace(Device::cpu, pace_.seconds_per_pixel(*request.program));
+        last_failure_.clear();
+    }
+    return true;
+}
+
+}  // namespace fieldwright::renderer

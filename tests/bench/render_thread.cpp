@@ -1,0 +1,232 @@
+// What a window waits for: the first picture after an edit while a shader compiles, pictures while a value is dragged,
+// and nothing once the picture is there.
+#include "renderer/devices.h"
+#include "renderer/render_thread.h"
+#include "tests/bench/csg_scene.h"
+#include "tests/bench/timing.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace fieldwright::bench {
+namespace {
+
+using namespace renderer;
+using Clock = std::chrono::steady_clock;
+
+constexpr int primitives = 300, width = 1280, height = 720;
+constexpr double drag_seconds = 3, idle_seconds = 2;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+double processor_seconds()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// The window's side of a render thread, woken when there is something to poll.
+class Window {
+public:
+    explicit Window(Device device) : thread_({.device = device, .on_ready = [this] { wake(); }}) {}
+
+    void ask(std::shared_ptr<const graph::Program> program, bool interacting)
+    {
+        PictureRequest request{.program = std::move(program), .interacting = interacting, .generation = ++generation_};
+        request.frame.width = width;
+        request.frame.height = height;
+        thread_.request(std::move(request));
+    }
+
+    // The newest picture that comes within the time.
+    std::optional<DrawnPicture> picture(double seconds)
+    {
+        auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+        for (;;) {
+            while (std::optional<RenderResult> result = thread_.poll()) {
+                if (auto* drawn = std::get_if<DrawnPicture>(&*result)) return std::move(*drawn);
+                demand(false, "the render thread reports no failure");
+            }
+            std::unique_lock lock(mutex_);
+            if (!changed_.wait_until(lock, until, [&] { return ready_; })) return std::nullopt;
+            ready_ = false;
+        }
+    }
+
+    DrawnPicture picture_of(std::uint64_t generation, bool final)
+    {
+        for (;;) {
+            std::optional<DrawnPicture> drawn = picture(120);
+            demand(drawn.has_value(), "a picture comes within two minutes");
+            if (drawn->generation == generation && (drawn->final || !final)) return std::move(*drawn);
+        }
+    }
+
+    std::uint64_t generation() const { return generation_; }
+    RenderStatus status() const { return thread_.status(); }
+
+private:
+    void wake()
+    {
+        std::lock_guard lock(mutex_);
+        ready_ = true;
+        changed_.notify_one();
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool ready_ = false;
+    std::uint64_t generation_ = 0;
+    RenderThread thread_;
+};
+
+class Scenes {
+public:
+    Scenes() : library_(graph::Library::embedded()), scene_(csg_scene(primitives)) {}
+
+    // Another count of shapes is another topology.
+    std::shared_ptr<const graph::Program> edited(int edit) const
+    {
+        CsgScene scene = csg_scene(primitives - edit);
+        return lowered(csg_document(scene, library_));
+    }
+
+    std::shared_ptr<const graph::Program> dragged(float amount)
+    {
+        scene_.shapes[0].half_size.x = 0.3f + 0.2f * amount;
+        return lowered(csg_document(scene_, library_));
+    }
+
+private:
+    std::shared_ptr<const graph::Program> lowered(const graph::Document& document) const
+    {
+        auto program = std::make_shared<const graph::Program>(graph::lower(document, library_));
+        demand(program->problems.empty(), "the scene lowers without problems");
+        return program;
+    }
+
+    std::shared_ptr<const graph::Library> library_;
+    CsgScene scene_;
+};
+
+// A second thread compiles the scene without end, as the window's own does after an edit.
+class Compiling {
+public:
+    explicit Compiling(std::shared_ptr<const graph::Program> program) : thread_([this, program] { compile(*program); }) {}
+    ~Compiling()
+    {
+        stopped_ = true;
+        thread_.join();
+    }
+    int compiled() const { return compiled_; }
+
+private:
+    void compile(const graph::Program& program)
+    {
+        setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 19);
+        GpuDevice gpu;
+        std::string text = gpu.shader_text(program, 0);
+        while (!stopped_) {
+            gpu.ready_seconds(text);
+            ++compiled_;
+        }
+    }
+
+    std::atomic<bool> stopped_ = false;
+    std::atomic<int> compiled_ = 0;
+    std::thread thread_;
+};
+
+void measure_edits(Window& window, const Scenes& scenes)
+{
+    std::vector<double> seconds;
+    int coarsest = 1, finest = 16;
+    Compiling compiling(scenes.edited(0));
+    for (int edit = 0; edit < repetitions + 1; ++edit) {
+        auto program = scenes.edited(edit);
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));  // in the midst of finer pictures of the last edit
+        auto start = Clock::now();
+        window.ask(program, false);
+        DrawnPicture drawn = window.picture_of(window.generation(), false);
+        if (edit == 0) continue;  // of a program just started
+        seconds.push_back(seconds_since(start));
+        coarsest = std::max(coarsest, drawn.divisor);
+        finest = std::min(finest, drawn.divisor);
+    }
+    Times times = summary(seconds);
+    double worst = *std::max_element(seconds.begin(), seconds.end());
+    std::printf("first picture after an edit, while compiling: %.0f / %.0f / %.0f ms (min, median, max of %zu), at 1/%d to 1/%d\n",
+                1e3 * times.minimum, 1e3 * times.median, 1e3 * worst, seconds.size(), finest, coarsest);
+    std::printf("median <= 100 ms: %s; all: %s\n", verdict(times.median <= 0.1), verdict(worst <= 0.1));
+}
+
+// A hand moves at 60 Hz.
+void measure_drag(Window& window, Scenes& scenes)
+{
+    int links = window.status().links, pictures = 0, divisor = 1;
+    double longest = 0;
+    auto start = Clock::now(), last = start, next = start;
+    for (int frame = 0; seconds_since(start) < drag_seconds; ++frame) {
+        window.ask(scenes.dragged(0.5f + 0.5f * static_cast<float>(std::sin(0.1 * frame))), true);
+        next += std::chrono::microseconds(16667);
+        while (std::optional<DrawnPicture> drawn = window.picture(std::chrono::duration<double>(next - Clock::now()).count())) {
+            ++pictures;
+            divisor = std::max(divisor, drawn->divisor);
+            longest = std::max(longest, seconds_since(last));
+            last = Clock::now();
+        }
+    }
+    double rate = pictures / seconds_since(start);
+    links = window.status().links - links;
+    std::printf("a value dragged: %.1f pictures per second (>= 10), longest wait %.0f ms, at 1/%d: %s\n", rate, 1e3 * longest,
+                divisor, verdict(rate >= 10));
+    std::printf("programs linked in it: %d (0): %s\n", links, verdict(links == 0));
+}
+
+void measure_rest(Window& window, Scenes& scenes)
+{
+    auto start = Clock::now();
+    window.ask(scenes.dragged(0.25f), false);
+    DrawnPicture drawn = window.picture_of(window.generation(), true);
+    std::printf("full picture after it: %.2f s, by the %s\n", seconds_since(start), drawn.device);
+    while (window.status().busy) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    double before = processor_seconds();
+    std::this_thread::sleep_for(std::chrono::duration<double>(idle_seconds));
+    double share = (processor_seconds() - before) / idle_seconds;
+    std::printf("idle: %.2f %% of a core (< 2 %%): %s\n", 100 * share, verdict(share < 0.02));
+}
+
+int run()
+{
+    Scenes scenes;
+    Window window(Device::automatic);
+    window.ask(scenes.edited(1), false);
+    window.picture_of(window.generation(), true);
+    RenderStatus status = window.status();
+    std::printf("csg(%d), %dx%d, CPU and %s\n", primitives, width, height, status.gpu.empty() ? "no GPU" : status.gpu.c_str());
+    measure_edits(window, scenes);
+    measure_drag(window, scenes);
+    measure_rest(window, scenes);
+    return 0;
+}
+
+}  // namespace
+}  // namespace fieldwright::bench
+
+int main()
+{
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // what is cached is not compiled
+    try {
+        return fieldwright::bench::run();
+    } catch (const fieldwright::graph::Failure& failure) {
+        std::fprintf(stderr, "%s\n", failure.what());
+        return failure.exit_code;
+    }
+}

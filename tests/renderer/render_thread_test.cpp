@@ -1,0 +1,392 @@
+// The render thread without a window: what it shows, what it drops, and that it rests.
+#include "renderer/render_thread.h"
+
+#include "renderer/devices.h"
+#include "renderer/gpu_worker.h"
+#include "tests/support/pictures.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <thread>
+
+namespace fieldwright::tests {
+namespace {
+
+using namespace renderer;
+using namespace std::chrono_literals;
+using glm::vec3;
+using Clock = std::chrono::steady_clock;
+using ProgramPointer = std::shared_ptr<const graph::Program>;
+
+// A row of balls melted into each other under a sun; more of them are slower.
+Scene balls(int count, float radius = 0.4f)
+{
+    Scene s;
+    NodeId all;
+    for (int i = 0; i < count; ++i) {
+        NodeId ball = s.node("sphere", {{"radius", radius}});
+        vec3 offset(0.7f * static_cast<float>(i % 8) - 2.5f, 0.7f * static_cast<float>(i / 8 % 8) - 2.0f, -0.7f * static_cast<float>(i / 64));
+        NodeId moved = s.node("translate", {{"d", ball}, {"offset", offset}});
+        all = i == 0 ? moved : s.node("smooth_union", {{"a", all}, {"b", moved}});
+    }
+    s.show(all);
+    s.node("sun");
+    return s;
+}
+
+ProgramPointer program_of(const Scene& scene) { return std::make_shared<const graph::Program>(scene.program()); }
+
+PictureRequest request_of(ProgramPointer program, int width, int height)
+{
+    PictureRequest request{.program = std::move(program)};
+    request.frame.width = width;
+    request.frame.height = height;
+    return request;
+}
+
+// Numbers requests, and collects results.
+class Desk {
+public:
+    explicit Desk(Device device) : thread(RenderOptions{.device = device}) {}
+
+    std::uint64_t ask(PictureRequest request, bool interacting = false)
+    {
+        request.interacting = interacting;
+        request.generation = ++generation_;
+        thread.request(std::move(request));
+        return generation_;
+    }
+
+    std::optional<RenderResult> next(Clock::duration patience = 60s)
+    {
+        for (auto until = Clock::now() + patience; Clock::now() < until; std::this_thread::sleep_for(1ms))
+            if (std::optional<RenderResult> result = thread.poll()) return result;
+        return std::nullopt;
+    }
+
+    template <typename Kind>
+    std::optional<Kind> next_of(Clock::duration patience = 60s)
+    {
+        for (auto until = Clock::now() + patience; Clock::now() < until;) {
+            std::optional<RenderResult> result = next(until - Clock::now());
+            if (result && std::holds_alternative<Kind>(*result)) return std::get<Kind>(std::move(*result));
+        }
+        return std::nullopt;
+    }
+
+    std::optional<DrawnPicture> final_picture(std::uint64_t generation)
+    {
+        for (;;) {
+            std::optional<DrawnPicture> drawn = next_of<DrawnPicture>();
+            if (!drawn || (drawn->final && drawn->generation == generation)) return drawn;
+        }
+    }
+
+    bool rests(Clock::duration patience = 60s)
+    {
+        auto until = Clock::now() + patience;
+        while (thread.status().busy && Clock::now() < until) std::this_thread::sleep_for(1ms);
+        return !thread.status().busy;
+    }
+
+    RenderThread thread;
+
+private:
+    std::uint64_t generation_ = 0;
+};
+
+double processor_seconds()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double resident_megabytes()
+{
+    std::ifstream file("/proc/self/statm");
+    double pages = 0, resident = 0;
+    file >> pages >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+std::string word_of(const std::filesystem::path& path)
+{
+    std::ifstream file(path);
+    std::string text;
+    std::getline(file, text);
+    return text;
+}
+
+TEST(RenderThread, shows_a_coarse_picture_then_the_one_of_the_cpu)
+{
+    PictureRequest request = request_of(program_of(balls(60)), 640, 360);
+    Desk desk(Device::cpu);
+    std::uint64_t generation = desk.ask(request);
+    std::optional<DrawnPicture> first = desk.next_of<DrawnPicture>();
+    ASSERT_TRUE(first);
+    EXPECT_FALSE(first->final);
+    EXPECT_GT(first->divisor, 1);
+    EXPECT_EQ(first->picture->width, divided(request.frame, first->divisor).width);
+    EXPECT_EQ(first->frame->width, first->picture->width);
+    std::optional<DrawnPicture> last = desk.final_picture(generation);
+    ASSERT_TRUE(last);
+    Frame frame = render_on_cpu(*request.program, request.frame);
+    EXPECT_EQ(last->picture->rgb, picture(frame, View::beauty, request.program->march.step_limit).rgb);
+    EXPECT_EQ(last->frame->node_id, frame.node_id);
+    EXPECT_EQ(std::string(last->device), "cpu");
+    StepStatistics steps = step_statistics(frame);
+    EXPECT_EQ(last->steps.mean, steps.mean);
+    EXPECT_EQ(last->steps.largest, *std::max_element(frame.steps.begin(), frame.steps.end()));
+    EXPECT_EQ(desk.thread.status().links, 0);
+}
+
+TEST(RenderThread, shows_every_view_and_anaglyphs_as_the_command_line_does)
+{
+    PictureRequest request = request_of(program_of(balls(3)), 160, 90);
+    Frame centre = render_on_cpu(*request.program, request.frame);
+    request.frame.eye = Eye::left;
+    Frame left = render_on_cpu(*request.program, request.frame);
+    request.frame.eye = Eye::right;
+    Frame right = render_on_cpu(*request.program, request.frame);
+    request.frame.eye = Eye::centre;
+    Desk desk(Device::cpu);
+    for (const std::string& view_name : view_names())
+        for (const std::string& stereo_name : stereo_names()) {
+            request.view = *view_from_name(view_name);
+            request.stereo = *stereo_from_name(stereo_name);
+            bool flat = request.stereo == Stereo::off;
+            std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request));
+            ASSERT_TRUE(drawn);
+            EXPECT_EQ(drawn->picture->rgb, anaglyph(flat ? centre : left, right, request.view, 256, request.stereo).rgb)
+                << view_name << " " << stereo_name;
+            EXPECT_EQ(drawn->right_frame == nullptr, flat);
+        }
+}
+
+TEST(RenderThread, lets_the_newest_request_win)
+{
+    PictureRequest slow = request_of(program_of(balls(200)), 1920, 1080), quick = request_of(program_of(balls(1)), 64, 36);
+    Desk desk(Device::cpu);
+    desk.ask(slow);
+    ASSERT_TRUE(desk.next_of<DrawnPicture>());
+    auto start = Clock::now();
+    std::uint64_t newest = desk.ask(quick);
+    std::optional<DrawnPicture> drawn = desk.final_picture(newest);
+    ASSERT_TRUE(drawn);
+    EXPECT_LT(Clock::now() - start, 2s);
+    EXPECT_EQ(drawn->picture->width, 64);
+    EXPECT_FALSE(desk.next(100ms)) << "something came after the newest final picture";
+}
+
+TEST(RenderThread, grows_a_slow_picture_before_the_eyes)
+{
+    Desk desk(Device::cpu);
+    desk.ask(request_of(program_of(balls(200)), 1280, 720));
+    int growing = 0;
+    for (std::optional<DrawnPicture> drawn; (drawn = desk.next_of<DrawnPicture>()) && !drawn->final;)
+        growing += drawn->picture->width > drawn->frame->width ? 1 : 0;
+    EXPECT_GE(growing, 1);
+}
+
+TEST(RenderThread, links_nothing_while_a_hand_moves_something)
+{
+    Desk desk(Device::automatic);
+    desk.ask(request_of(program_of(balls(8, 0.4f)), 320, 180));
+    ASSERT_TRUE(desk.next_of<DrawnPicture>());
+    desk.rests();
+    int links = desk.thread.status().links, pictures = 0;
+    for (int i = 0; i < 30; ++i) {
+        float amount = 0.01f * static_cast<float>(i);
+        PictureRequest request = request_of(program_of(balls(8, 0.3f + amount)), 320, 180);
+        request.frame.camera = ViewCamera{.position = {4 + amount, 3, 6}};
+        desk.ask(request, true);
+        while (desk.next_of<DrawnPicture>(16ms)) ++pictures;
+    }
+    EXPECT_GE(pictures, 5);
+    EXPECT_EQ(desk.thread.status().links, links);
+}
+
+TEST(RenderThread, on_the_gpu_shows_the_picture_of_the_gpu)
+{
+    PictureRequest request = request_of(program_of(balls(8)), 320, 180);
+    request.frame.camera = ViewCamera{.position = {1, 2, 7}};
+    Desk desk(Device::gpu);
+    std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request));
+    ASSERT_TRUE(drawn);
+    EXPECT_EQ(std::string(drawn->device), "gpu");
+    GpuDevice gpu;
+    EXPECT_EQ(drawn->picture->rgb, picture(gpu.render(*request.program, request.frame), View::beauty, 256).rgb);
+    request.frame.camera->position.x = 2;
+    EXPECT_TRUE(desk.final_picture(desk.ask(request)));
+    EXPECT_EQ(desk.thread.status().links, 1);
+}
+
+// A node that no kernel was compiled for, so that only the GPU can draw it.
+Scene edited_sphere(const std::string& statement)
+{
+    std::map<std::string, std::string> texts = graph::embedded_texts();
+    std::string& text = texts.at("nodes/primitive/sphere.glsl");
+    text.replace(text.find("return length(p)"), 6, statement + " return");
+    Scene s(graph::Library::from_texts(texts, graph::embedded_texts()));
+    s.show(s.node("sphere"));
+    s.node("sun");
+    return s;
+}
+
+TEST(RenderThread, draws_what_only_the_gpu_can)
+{
+    ProgramPointer program = program_of(edited_sphere("p.x = p.x * 1.5f;"));
+    ASSERT_TRUE(program->gpu_only);
+    Desk desk(Device::automatic);
+    std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request_of(program, 64, 36)));
+    ASSERT_TRUE(drawn);
+    EXPECT_EQ(std::string(drawn->device), "gpu");
+}
+
+TEST(RenderThread, says_that_there_is_no_gpu_for_what_only_the_gpu_can_draw)
+{
+    Desk desk(Device::cpu);
+    desk.ask(request_of(program_of(edited_sphere("p.x = p.x * 1.5f;")), 64, 36));
+    std::optional<Failed> failed = desk.next_of<Failed>();
+    ASSERT_TRUE(failed);
+    EXPECT_NE(failed->sentence.find("GPU"), std::string::npos);
+    EXPECT_TRUE(desk.final_picture(desk.ask(request_of(program_of(balls(1)), 64, 36))));
+}
+
+TEST(RenderThread, reports_a_broken_shader_once_and_lives)
+{
+    ProgramPointer broken = program_of(edited_sphere("p.x = nothing_like_this;"));
+    Desk desk(Device::automatic);
+    std::uint64_t generation = desk.ask(request_of(broken, 64, 36));
+    std::optional<CompileFailed> failed = desk.next_of<CompileFailed>();
+    ASSERT_TRUE(failed);
+    EXPECT_EQ(failed->generation, generation);
+    EXPECT_NE(failed->log.find("nothing_like_this"), std::string::npos) << failed->log;
+    desk.ask(request_of(broken, 65, 36));
+    EXPECT_FALSE(desk.next_of<CompileFailed>(300ms));
+    EXPECT_TRUE(desk.final_picture(desk.ask(request_of(program_of(balls(1)), 64, 36))));
+}
+
+TEST(RenderThread, ends_at_once_in_the_midst_of_a_picture)
+{
+    for (Device device : {Device::cpu, Device::automatic}) {
+        auto desk = std::make_unique<Desk>(device);
+        desk->ask(request_of(program_of(balls(200)), 1920, 1080));
+        ASSERT_TRUE(desk->next_of<DrawnPicture>());
+        std::this_thread::sleep_for(50ms);
+        auto start = Clock::now();
+        desk.reset();
+        EXPECT_LT(Clock::now() - start, 1s);
+    }
+}
+
+TEST(RenderThread, keeps_nothing_of_the_sizes_a_window_had)
+{
+    ProgramPointer program = program_of(balls(2));
+    for (Device device : {Device::cpu, Device::gpu}) {
+        Desk desk(device);
+        auto resize = [&](int i) {
+            return desk.final_picture(desk.ask(request_of(program, 200 + 3 * (i % 40), 220 - 2 * (i % 40))));
+        };
+        for (int i = 0; i < 80; ++i) ASSERT_TRUE(resize(i));
+        double before = resident_megabytes();
+        for (int i = 0; i < 200; ++i) ASSERT_TRUE(resize(i));
+        EXPECT_LT(resident_megabytes() - before, 8) << "MB more after 200 sizes";
+    }
+}
+
+TEST(RenderThread, rests_when_the_picture_is_there)
+{
+    Desk desk(Device::automatic);
+    ASSERT_TRUE(desk.final_picture(desk.ask(request_of(program_of(balls(8)), 320, 180))));
+    ASSERT_TRUE(desk.rests());
+    std::this_thread::sleep_for(50ms);
+    double before = processor_seconds();
+    std::this_thread::sleep_for(300ms);
+    EXPECT_LT(processor_seconds() - before, 0.010);
+    EXPECT_FALSE(desk.thread.poll() && desk.thread.poll()) << "pictures go on";
+}
+
+TEST(RenderThread, answers_the_same_request_with_the_same_picture)
+{
+    PictureRequest request = request_of(program_of(balls(8)), 320, 180);
+    Desk desk(Device::cpu);
+    std::optional<DrawnPicture> first = desk.final_picture(desk.ask(request));
+    std::uint64_t generation = desk.ask(request);
+    std::optional<DrawnPicture> second = desk.final_picture(generation);
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(first->picture, second->picture) << "it was drawn again";
+}
+
+TEST(RenderThread, calls_when_there_is_something_to_poll)
+{
+    std::atomic<int> calls = 0;
+    RenderThread thread({.device = Device::cpu, .on_ready = [&] { ++calls; }});
+    thread.request(request_of(program_of(balls(1)), 64, 36));
+    for (auto until = Clock::now() + 10s; calls == 0 && Clock::now() < until;) std::this_thread::sleep_for(1ms);
+    EXPECT_GT(calls, 0);
+    EXPECT_TRUE(thread.poll());
+}
+
+TEST(RenderThread, gives_way_to_the_windows_thread)
+{
+    Desk desk(Device::automatic);
+    ASSERT_TRUE(desk.final_picture(desk.ask(request_of(program_of(balls(60)), 320, 180))));
+    std::set<std::string> seen;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+        std::string name = word_of(task.path() / "comm");
+        if (!name.starts_with("render ")) continue;
+        seen.insert(name);
+        EXPECT_EQ(getpriority(PRIO_PROCESS, static_cast<id_t>(std::stoi(task.path().filename()))), 19) << name;
+    }
+    EXPECT_TRUE(seen.contains("render cpu") && seen.contains("render gpu"));
+    EXPECT_LT(getpriority(PRIO_PROCESS, static_cast<id_t>(getpid())), 19) << "or this test could not fail";
+}
+
+TEST(LossRecord, bears_one_loss_in_two_minutes)
+{
+    LossRecord record;
+    LossRecord::Clock::time_point start{};
+    EXPECT_FALSE(record.too_many(start));
+    EXPECT_FALSE(record.too_many(start + 3min));
+    EXPECT_TRUE(record.too_many(start + 4min));
+}
+
+TEST(Passes, go_from_what_is_affordable_to_the_full_picture)
+{
+    PictureRequest request = request_of(nullptr, 1280, 720);
+    auto divisors = [&](double ns_per_pixel, std::optional<int> shown) {
+        std::vector<int> list;
+        for (const PassPlan& plan : passes(request, 1e-9 * ns_per_pixel, 0.05, shown)) list.push_back(plan.divisor);
+        return list;
+    };
+    EXPECT_EQ(divisors(40, {}), (std::vector{1}));
+    EXPECT_EQ(divisors(150, {}), (std::vector{2, 1}));
+    EXPECT_EQ(divisors(2000, {}), (std::vector{8, 2, 1}));
+    EXPECT_EQ(divisors(2000, 8), (std::vector{2, 1}));
+    EXPECT_EQ(divisors(2000, 1), (std::vector<int>{}));
+    request.stereo = Stereo::dubois;
+    EXPECT_EQ(divisors(2000, {}), (std::vector{12, 2, 1}));
+    request.interacting = true;
+    EXPECT_EQ(divisors(1e6, {}), (std::vector{16}));
+}
+
+TEST(Resized, keeps_a_ramp_a_ramp)
+{
+    Picture ramp{2, 1, {0, 0, 0, 200, 100, 50}};
+    Picture wide = resized(ramp, 4, 3);
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t x = 0; x < 4; ++x) EXPECT_EQ(wide.rgb[3 * (4 * row + x)], (std::array{0, 50, 150, 200})[x]);
+    EXPECT_EQ(resized(ramp, 2, 1).rgb, ramp.rgb);
+}
+
+}  // namespace
+}  // namespace fieldwright::tests
