@@ -18,6 +18,10 @@ struct Session {
     }
 };
 
+// Opens the window on a scene, or on a new one when the path is empty; the exit code.
+int edit(const std::filesystem::path& scene, const Session& session);
+
+void add_edit(CLI::App& parser, Session& session);
 void add_render(CLI::App& parser, Session& session);
 void add_eval(CLI::App& parser, Session& session);
 void add_check(CLI::App& parser, Session& session);

@@ -17,18 +17,16 @@ int complain(const std::string& sentence, int code)
     return code;
 }
 
-// Words that no command took: a scene alone asks for the window, anything else is a slip.
-int explain_words(const CLI::App& parser, const std::vector<std::string>& words)
+// Words that no command took: a scene alone opens the window, anything else is a slip.
+int take_words(const CLI::App& parser, const app::Session& session, const std::vector<std::string>& words)
 {
     const std::string& first = words.front();
     bool chosen = !parser.get_subcommands().empty();
     std::error_code error;
-    if (!chosen && (first.ends_with(".scene.json") || std::filesystem::exists(first, error)))
-        return complain("this version has no window yet; draw the scene with `fieldwright render " + first + " -o " +
-                            std::filesystem::path(first).stem().stem().string() + ".png`",
-                        usage_error);
-    if (first.starts_with("-") || chosen)
-        return complain("the argument `" + first + "` was not expected; see `fieldwright --help`", usage_error);
+    bool is_scene = first.ends_with(".scene.json") || std::filesystem::exists(first, error);
+    if (!chosen && is_scene && words.size() == 1) return app::edit(first, session);
+    if (first.starts_with("-") || chosen || is_scene)
+        return complain("the argument `" + words.back() + "` was not expected; see `fieldwright --help`", usage_error);
     std::string names;
     for (const CLI::App* command : parser.get_subcommands({}))
         names += (names.empty() ? "" : ", ") + command->get_name();
@@ -42,8 +40,8 @@ int run(int argc, char** argv)
     CLI::App parser("Fieldwright: node graphs of signed distance fields, drawn by sphere tracing.", "fieldwright");
     parser.add_flag("--version", version, "Print the version and stop");
     parser.add_flag("--json", json, "With --version: as JSON");
-    for (auto add :
-         {app::add_render, app::add_eval, app::add_check, app::add_export, app::add_nodes, app::add_new, app::add_info})
+    for (auto add : {app::add_edit, app::add_render, app::add_eval, app::add_check, app::add_export, app::add_nodes,
+                     app::add_new, app::add_info})
         add(parser, session);
     constexpr auto shaders_help = "Read node files and shading from this folder instead of those built in";
     parser.add_option("--shaders", session.shaders, shaders_help);
@@ -56,14 +54,13 @@ int run(int argc, char** argv)
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return parser.exit(error);
         return complain(std::string(error.what()) + "; see `fieldwright --help`", usage_error);
     }
-    if (std::vector<std::string> words = parser.remaining(); !words.empty()) return explain_words(parser, words);
+    if (std::vector<std::string> words = parser.remaining(); !words.empty()) return take_words(parser, session, words);
     if (session.action) return session.action();
     if (version) {
         app::print_version(json);
         return 0;
     }
-    std::cerr << parser.help() << "\nThe editor window comes with the next version.\n";
-    return usage_error;
+    return app::edit({}, session);
 }
 
 }  // namespace

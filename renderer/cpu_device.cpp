@@ -30,6 +30,17 @@ std::vector<Area> tiles(int width, int height, int threads)
 
 }  // namespace
 
+bool runs_on_cpu(const graph::Program& program)
+{
+    const std::map<std::string, std::string>& built_in = graph::embedded_texts();
+    auto is_built_in = [&](const graph::SourceFile& file) {
+        auto known = built_in.find(file.path);
+        return known != built_in.end() && known->second == program.library->text(file.path);
+    };
+    const auto& files = program.library->render_files();
+    return !program.gpu_only && std::all_of(files.begin(), files.end(), is_built_in);
+}
+
 bool draw_on_cpu(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch)
 {
     const CpuScene scene(program, request);

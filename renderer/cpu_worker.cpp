@@ -24,9 +24,11 @@ void CpuWorker::run()
 bool CpuWorker::draw(const Job& job)
 {
     try {
-        if (!job.request->program->gpu_only) return draw_passes(job);
+        if (runs_on_cpu(*job.request->program)) return draw_passes(job);
         if (!desk_.has_gpu())
-            fail(job, "a node of this scene is not built into this program and needs a GPU, and there is none; rebuild");
+            fail(job,
+                 "this scene or the shading library is not the one built into this program and needs a GPU, and there "
+                 "is none");
     } catch (const std::exception& failure) {
         fail(job, failure.what());
     }

@@ -10,6 +10,8 @@ namespace fieldwright::renderer {
 
 // All cores, 256 probes at a time. Throws graph::Failure{1} when a node is not compiled into this program.
 Frame render_on_cpu(const graph::Program& program, const FrameRequest& request, const Progress& progress = {});
+// Whether the program and the shading library are those that the CPU's kernels were compiled from.
+bool runs_on_cpu(const graph::Program& program);
 // Draws over the frame, which has the request's size, tile by tile; false when the watch cancelled it.
 bool draw_on_cpu(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch);
 

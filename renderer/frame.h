@@ -27,8 +27,8 @@ struct FrameRequest {
     int width = 640, height = 360;  // px
     float time = 0;                 // s
     Eye eye = Eye::centre;
-    float interaxial = 0.065f;  // m
-    float convergence = 5.0f;   // m, along the view axis
+    float interaxial = 0.065f;                        // m
+    float convergence = 5.0f;                         // m, along the view axis
     std::optional<ViewCamera> camera = std::nullopt;  // else the scene's camera node
 
     bool operator==(const FrameRequest&) const = default;

@@ -89,7 +89,7 @@ class FloatTarget {
 public:
     FloatTarget(int width, int height, int attachments);  // throws graph::Failure{1} when the driver refuses the size
     void bind() const;
-    void read(int attachment, float* rgba) const;  // bottom-up rows
+    void read(int attachment, float* rgba) const;                    // bottom-up rows
     void read(int attachment, const Area& area, float* rgba) const;  // its y counts from the bottom
     int width() const { return width_; }
     int height() const { return height_; }

@@ -5,9 +5,9 @@ namespace fieldwright::renderer {
 namespace {
 
 constexpr double coarse_seconds = 0.05;
-constexpr double clearly_faster = 0.85;         // of the CPU's time, or nothing changes hands
-constexpr double worth_compiling = 0.25;        // s of the CPU's for a full picture, on software GL
-constexpr std::size_t refused_limit = 64;       // texts
+constexpr double clearly_faster = 0.85;    // of the CPU's time, or nothing changes hands
+constexpr double worth_compiling = 0.25;   // s of the CPU's for a full picture, on software GL
+constexpr std::size_t refused_limit = 64;  // texts
 constexpr int trial_divisor = 8;
 
 }  // namespace
@@ -25,9 +25,9 @@ void GpuWorker::run()
     try {
         open_device();
         while (std::optional<Job> job = desk_.wait_for_job(Device::gpu)) {
-            arena_.execute([&] { work(*job); });
-            if (!device_) open_device();
-            desk_.done(Device::gpu, *job);
+            bool worked = arena_.execute([&] { return work(*job); });
+            if (worked) desk_.done(Device::gpu, *job);
+            else open_device();
         }
     } catch (const std::exception& failure) {
         desk_.give_up_gpu(failure.what());
@@ -42,24 +42,28 @@ void GpuWorker::open_device()
     desk_.set_gpu(device_->renderer_name(), device_->software());
 }
 
-void GpuWorker::work(const Job& job)
+// False when the device was lost.
+bool GpuWorker::work(const Job& job)
 {
     try {
         draw(job);
     } catch (const ContextLost&) {
-        desk_.set_compiling(false);
-        desk_.release(job);
-        lose();
+        lose(job);
+        return false;
     } catch (const std::exception& failure) {
         desk_.set_compiling(false);
         desk_.release(job);
         if (must_draw(job)) desk_.report(Failed{failure.what(), job.request->generation});
     }
+    return true;
 }
 
 // Throws when there were too many.
-void GpuWorker::lose()
+void GpuWorker::lose(const Job& job)
 {
+    desk_.set_compiling(false);
+    desk_.set_absent(true);
+    desk_.release(job);
     bool gives_up = losses_.too_many(LossRecord::Clock::now());
     past_links_ += device_->links();
     device_.reset();
@@ -72,7 +76,10 @@ void GpuWorker::draw(const Job& job)
     const PictureRequest& request = *job.request;
     std::string text = device_->shader_text(*request.program, request.frame.time);
     if (refused_.contains(text) || !make_ready(job, text)) return desk_.decided(job);
-    if (!must_draw(job) && !is_faster(job)) return desk_.decided(job);
+    if (!must_draw(job)) {
+        if (!pace_.known_near(*request.program)) try_pace(job);
+        if (!is_faster(job)) return desk_.decided(job);
+    }
     if (desk_.claim(job)) draw_passes(job);
 }
 
@@ -82,8 +89,8 @@ bool GpuWorker::make_ready(const Job& job, const std::string& text)
     if (device_->linked(text)) return true;
     if (!must_draw(job)) {
         desk_.decided(job);
+        if (device_->software() && !job.request->interacting) desk_.wait_for_first_picture(job);
         if (!expected_to_pay(job)) return false;
-        if (device_->software()) desk_.wait_for_first_picture(job);
     }
     if (desk_.stops_fine(Device::gpu, job)) return false;
     desk_.set_compiling(true);
@@ -96,7 +103,7 @@ bool GpuWorker::make_ready(const Job& job, const std::string& text)
         desk_.report(CompileFailed{failure.what(), job.request->generation});
     }
     desk_.note_links(past_links_ + device_->links());
-    if (device_->linked(text) && !must_draw(job)) try_pace(job);
+    pace_ = {};
     desk_.set_compiling(false);
     return device_->linked(text);
 }
@@ -108,7 +115,8 @@ bool GpuWorker::expected_to_pay(const Job& job) const
     if (job.request->interacting) return false;
     const graph::Program& program = *job.request->program;
     double cpu = expected_cpu_seconds(program);
-    double gpu = pace_.known_near(program) ? pace_.seconds_per_pixel(program) : cpu * guessed_software_gl_ratio(program);
+    double gpu =
+        pace_.known_near(program) ? pace_.seconds_per_pixel(program) : cpu * guessed_software_gl_ratio(program);
     bool is_slow = cpu * static_cast<double>(pixel_count(job.request->frame)) > worth_compiling;
     return is_slow && gpu < clearly_faster * cpu;
 }
@@ -123,13 +131,14 @@ double GpuWorker::expected_cpu_seconds(const graph::Program& program) const
 // A small picture that nobody sees.
 void GpuWorker::try_pace(const Job& job)
 {
+    desk_.set_absent(true);
     FrameRequest request = divided(job.request->frame, trial_divisor);
     Frame frame(request.width, request.height);
     auto start = std::chrono::steady_clock::now();
     device_->draw(frame, *job.request->program, request, {});
     std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    pace_ = {};
     pace_.note(*job.request->program, seconds.count(), pixel_count(request));
+    desk_.set_absent(false);
     desk_.note_pace(Device::gpu, pace_.seconds_per_pixel(*job.request->program));
 }
 

@@ -27,8 +27,8 @@ public:
 
 private:
     void open_device();
-    bool must_draw(const Job& job) const { return alone_ || job.request->program->gpu_only; }
-    void work(const Job& job);
+    bool must_draw(const Job& job) const { return alone_ || !runs_on_cpu(*job.request->program); }
+    bool work(const Job& job);
     void draw(const Job& job);
     bool make_ready(const Job& job, const std::string& text);
     bool expected_to_pay(const Job& job) const;
@@ -37,7 +37,7 @@ private:
     bool is_faster(const Job& job) const;
     void draw_passes(const Job& job);
     DrawFrame draw_frame();
-    void lose();
+    void lose(const Job& job);
 
     RenderDesk& desk_;
     bool alone_;

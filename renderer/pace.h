@@ -11,7 +11,7 @@ public:
     // Believes slowness at once and speed by and by: a late picture is worse than a coarse one.
     void note(const graph::Program& program, double seconds, std::int64_t pixels);
     bool known() const { return seconds_per_pixel_ > 0; }
-    bool known_near(const graph::Program& program) const;  // measured on something of about this cost
+    bool known_near(const graph::Program& program) const;           // measured on something of about this cost
     double seconds_per_pixel(const graph::Program& program) const;  // 0 when nothing was measured
 
 private:

@@ -35,12 +35,15 @@ std::vector<Sample> samples(int from, int to)
 
 void resize_row(unsigned char* to, const Picture& from, const Sample& row, const std::vector<Sample>& columns)
 {
-    const unsigned char* upper = &from.rgb[static_cast<std::size_t>(row.first) * static_cast<std::size_t>(from.width) * 3];
-    const unsigned char* lower = &from.rgb[static_cast<std::size_t>(row.second) * static_cast<std::size_t>(from.width) * 3];
+    const unsigned char* upper =
+        &from.rgb[static_cast<std::size_t>(row.first) * static_cast<std::size_t>(from.width) * 3];
+    const unsigned char* lower =
+        &from.rgb[static_cast<std::size_t>(row.second) * static_cast<std::size_t>(from.width) * 3];
     for (const Sample& column : columns) {
         for (int k = 0; k < 3; ++k) {
             auto across = [&](const unsigned char* line) {
-                auto a = static_cast<float>(line[3 * column.first + k]), b = static_cast<float>(line[3 * column.second + k]);
+                auto a = static_cast<float>(line[3 * column.first + k]),
+                     b = static_cast<float>(line[3 * column.second + k]);
                 return a + column.share * (b - a);
             };
             float top = across(upper);
@@ -53,7 +56,8 @@ void resize_row(unsigned char* to, const Picture& from, const Sample& row, const
 
 Picture resized(const Picture& picture, int width, int height)
 {
-    Picture result{width, height, std::vector<unsigned char>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+    Picture result{width, height,
+                   std::vector<unsigned char>(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
     const std::vector<Sample> rows = samples(picture.height, height), columns = samples(picture.width, width);
     tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t y) {
         resize_row(&result.rgb[y * static_cast<std::size_t>(width) * 3], picture, rows[y], columns);
@@ -134,7 +138,8 @@ PicturePass::PicturePass(RenderDesk& desk, FramePool& frames, Device device, con
       last_shown_(Clock::now())
 {
     if (base_.request && !same_content(*base_.request, *job.request)) base_ = {};
-    if (base_.request) picture_ = std::make_shared<Picture>(resized(*base_.picture.picture, request_.width, request_.height));
+    if (base_.request)
+        picture_ = std::make_shared<Picture>(resized(*base_.picture.picture, request_.width, request_.height));
     else
         picture_ = std::make_shared<Picture>(
             Picture{request_.width, request_.height, std::vector<unsigned char>(3 * left_->colour.size())});

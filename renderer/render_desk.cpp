@@ -6,7 +6,7 @@
 namespace fieldwright::renderer {
 namespace {
 
-constexpr std::size_t report_limit = 16;       // a window that does not poll gets the newest
+constexpr std::size_t report_limit = 16;                   // a window that does not poll gets the newest
 constexpr auto patience = std::chrono::milliseconds(100);  // pictures come at least this often
 
 FrameRequest without_eye(FrameRequest frame)
@@ -40,12 +40,20 @@ bool RenderDesk::repeats_final() const
     return shown_.request && shown_.picture.final && same_content(*shown_.request, *newest_.request);
 }
 
+// Who asks for the same thing at every frame does not start it anew.
+bool RenderDesk::repeats_newest(const PictureRequest& request) const
+{
+    return newest_.request && newest_.request->interacting == request.interacting &&
+           same_content(*newest_.request, request);
+}
+
 void RenderDesk::put(PictureRequest request)
 {
     bool ready = false;
     {
         std::lock_guard lock(mutex_);
-        newest_ = {std::make_shared<const PictureRequest>(std::move(request)), newest_.serial + 1};
+        std::uint64_t serial = newest_.serial + (repeats_newest(request) ? 0 : 1);
+        newest_ = {std::make_shared<const PictureRequest>(std::move(request)), serial};
         if (repeats_final()) {
             shown_.picture.generation = newest_.request->generation;
             picture_ = shown_.picture;
@@ -220,7 +228,7 @@ void RenderDesk::deliver(Device device, const Job& job, DrawnPicture picture, bo
 {
     {
         std::lock_guard lock(mutex_);
-        picture.generation = job.request->generation;
+        picture.generation = (job.serial == newest_.serial ? newest_ : job).request->generation;
         picture.device = device == Device::gpu ? "gpu" : "cpu";
         if (closed_ || job.serial < delivered_ || job.serial <= final_ || !is_lead(device, job)) return;
         status_.device = picture.device;

@@ -73,6 +73,7 @@ private:
     bool is_lead(Device device, const Job& job) const { return claimed_ == job.serial ? device == Device::gpu : true; }
     bool has_work(Device device) const;
     bool repeats_final() const;
+    bool repeats_newest(const PictureRequest& request) const;
 
     mutable std::mutex mutex_;
     std::condition_variable changed_;

@@ -19,7 +19,8 @@ struct PictureRequest {
     FrameRequest frame;  // its eye counts only without stereo
     View view = View::beauty;
     Stereo stereo = Stereo::off;
-    bool interacting = false;      // a hand moves something: coarse pictures only, no links on software GL
+    // A hand moves something: coarse pictures only, and no links on software GL. When it rests, ask again without.
+    bool interacting = false;
     std::uint64_t generation = 0;  // the window's; comes back with the results
 };
 
@@ -37,7 +38,7 @@ struct DrawnPicture {
     int divisor = 1;     // of the request's size: width and height are divided by it in `frame`
     bool final = false;  // complete and of the request's size: nothing follows
     std::uint64_t generation = 0;
-    double ms = 0;             // drawing it took
+    double ms = 0;            // drawing it took
     const char* device = "";  // "cpu", "gpu"
     StepStatistics steps;
 };
@@ -58,13 +59,13 @@ struct Failed {
 using RenderResult = std::variant<DrawnPicture, CompileFailed, Lost, Failed>;
 
 struct RenderStatus {
-    bool busy = false;         // something is drawn or compiled
-    bool compiling = false;    // a shader
+    bool busy = false;        // something is drawn or compiled
+    bool compiling = false;   // a shader
     const char* device = "";  // which drew last: "cpu", "gpu"
-    std::string gpu;           // GL_RENDERER; empty when there is none (yet)
+    std::string gpu;          // GL_RENDERER; empty when there is none (yet)
     bool gpu_is_software = false;
-    std::string no_gpu;  // why there is none
-    int links = 0;       // programs linked so far
+    std::string no_gpu;                                 // why there is none
+    int links = 0;                                      // programs linked so far
     double cpu_ns_per_pixel = 0, gpu_ns_per_pixel = 0;  // as measured last; 0 = not yet
 };
 

@@ -9,14 +9,17 @@ namespace fieldwright::ui {
 namespace {
 
 constexpr float splitter_px = 4;  // design px
+constexpr const char* canvas_hint =
+    "Drag to select, right-drag to move the view, wheel to zoom; Space adds a node, F1 shows all shortcuts";
 constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
 
 // A child window with a background of its own; `draw` fills it.
+// True when the mouse is over it.
 template <typename Draw>
-void pane(const char* name, ImVec2 position, ImVec2 size, ImU32 background, ImVec2 padding, ImGuiWindowFlags flags,
+bool pane(const char* name, ImVec2 position, ImVec2 size, ImU32 background, ImVec2 padding, ImGuiWindowFlags flags,
           const Draw& draw)
 {
-    if (size.x < 1 || size.y < 1) return;
+    if (size.x < 1 || size.y < 1) return false;
     ImGui::SetCursorScreenPos(position);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, background);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
@@ -24,7 +27,23 @@ void pane(const char* name, ImVec2 position, ImVec2 size, ImU32 background, ImVe
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     draw();
+    bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
     ImGui::EndChild();
+    return hovered;
+}
+
+void begin_host_window(const Theme& theme)
+{
+    const ImGuiViewport& window = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(window.Pos);
+    ImGui::SetNextWindowSize(window.Size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, menu_bar_padding(theme));
+    ImGui::Begin("window", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_MenuBar | pane_flags);
+    ImGui::PopStyleVar(3);
 }
 
 }  // namespace
@@ -36,25 +55,69 @@ Editor::Output Editor::draw(graph::Document& document, const graph::Library& lib
     Draft draft{document, library, {}, {}};
     rects.begin_frame();
     view.selection.keep_existing(document.root);
+    view.hint.clear();
     FrameContext frame{draft, view, readings, output.requests, theme, rects};
+    CommandContext context{frame, canvas_, viewport_, palette_, sheet_, dialogs_};
+    commands_ = commands(readings, library);
 
-    const ImGuiViewport& window = *ImGui::GetMainViewport();
-    ImGui::SetNextWindowPos(window.Pos);
-    ImGui::SetNextWindowSize(window.Size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::Begin("window", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                     ImGuiWindowFlags_NoSavedSettings | pane_flags);
-    ImGui::PopStyleVar(2);
+    begin_host_window(theme);
+    run_commands(context);
+    if (auto node = std::exchange(view.frame_request, {})) canvas_.show(node);
     draw_panes(frame);
+    draw_dialogs(context);
+    double now_s = ImGui::GetTime();
+    if (!draft.refusal.empty()) status_line_.refuse(draft.refusal, now_s);
+    status_line_.draw(frame, now_s);
     ImGui::End();
 
     output.document_changed = !draft.step.empty();
     if (output.document_changed) pending_step_ = draft.step;
-    output.hands_moving = ImGui::IsAnyItemActive() || canvas_.busy() || viewport_.busy();
-    if (!output.hands_moving) output.settled_step = std::exchange(pending_step_, {});
+    output.hands_moving = !hands_free();
+    // From a text field straight to another widget: the first gesture has ended though hands go on moving.
+    bool handed_over = std::exchange(active_item_, ImGui::GetActiveID()) != ImGui::GetActiveID() && draft.step.empty();
+    if (!output.hands_moving || handed_over) output.settled_step = std::exchange(pending_step_, {});
+    if (auto at_s = status_line_.changes_at_s()) output.redraw_in_s = std::max(*at_s - now_s, 0.0);
     return output;
+}
+
+bool Editor::hands_free() const { return !ImGui::IsAnyItemActive() && !canvas_.busy() && !viewport_.busy(); }
+
+// Those asked for by the program, from the menus and by keys; before the panes, so that they show the outcome.
+void Editor::run_commands(CommandContext& context)
+{
+    for (const std::string& id : std::exchange(asked_commands_, {})) run_command(id, context);
+    run_command(menu_bar_.draw(context, commands_), context);
+    run_pressed_shortcut(context);
+}
+
+void Editor::run_command(std::string_view id, CommandContext& context)
+{
+    const Command* command = find_command(commands_, id);
+    if (command && command->is_enabled(context)) command->run(context);
+}
+
+void Editor::run_pressed_shortcut(CommandContext& context)
+{
+    bool popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (ImGui::GetIO().WantTextInput || popup_open || !hands_free()) return;
+    if (const Command* command = pressed_command(commands_, over_)) run_command(command->id, context);
+}
+
+void Editor::browse(ChooseFile what, std::string folder, std::string name)
+{
+    browser_.open(std::move(what), folder, std::move(name));
+}
+
+void Editor::draw_dialogs(CommandContext& context)
+{
+    FrameContext& frame = context.frame;
+    run_command(palette_.draw(context, commands_), context);
+    sheet_.draw(frame, commands_);
+    for (Request& request : std::exchange(asked_, {})) frame.requests.push_back(std::move(request));
+    dialogs_.hold_back(frame.requests, frame.readings, browser_.is_open());
+    // What they ask for has been asked about.
+    dialogs_.draw(frame);
+    browser_.draw(frame, !dialogs_.asking());
 }
 
 void Editor::draw_panes(FrameContext& frame)
@@ -70,14 +133,19 @@ void Editor::draw_panes(FrameContext& frame)
     float viewport_height = panes.shown ? std::floor(height * (1 - panes.canvas_share)) : height;
     float inspector_height = std::floor(height * panes.inspector_share);
 
-    pane("viewport", {low.x, top}, {left_width - bar, viewport_height - bar}, colour::window, {0, 0}, pane_flags, [&] {
-        ImVec2 room = ImGui::GetWindowSize();
-        viewport_size_px_ = {static_cast<int>(room.x), static_cast<int>(room.y)};
-        viewport_.draw(frame);
-    });
+    over_ = Scope::everywhere;
+    bool over_viewport = pane("viewport", {low.x, top}, {left_width - bar, viewport_height - bar}, colour::window,
+                              {0, 0}, pane_flags, [&] {
+                                  ImVec2 room = ImGui::GetWindowSize();
+                                  viewport_size_px_ = {static_cast<int>(room.x), static_cast<int>(room.y)};
+                                  viewport_.draw(frame);
+                              });
+    if (over_viewport) over_ = Scope::viewport;
     if (!panes.shown) return;
-    pane("canvas", {low.x, top + viewport_height}, {left_width - bar, height - viewport_height}, colour::canvas, {0, 0},
-         pane_flags, [&] { canvas_.draw(frame); });
+    bool over_canvas = pane("canvas", {low.x, top + viewport_height}, {left_width - bar, height - viewport_height},
+                            colour::canvas, {0, 0}, pane_flags, [&] { canvas_.draw(frame); });
+    if (over_canvas) over_ = Scope::canvas;
+    if (over_canvas && view.hint.empty()) view.hint = canvas_hint;
     ImVec2 inset{theme.padding(), theme.padding()};
     pane("inspector", {low.x + left_width, top}, {side, inspector_height - bar}, colour::panel, inset, 0,
          [&] { inspector_.draw(frame); });

@@ -18,7 +18,7 @@ inline constexpr const char *bulb = "\xef\x83\xab", *cube = "\xef\x86\xb2", *cub
 inline constexpr const char *play = "\xef\x81\x8b", *pause = "\xef\x81\x8c", *stop = "\xef\x81\x8d",
                             *rewind = "\xef\x81\x88";
 inline constexpr const char *code = "\xef\x84\xa1", *history = "\xef\x87\x9a", *fire = "\xef\x81\xad",
-                            *glasses = "\xef\x84\xb5";
+                            *glasses = "\xef\x87\xa5";
 inline constexpr const char *palette = "\xef\x87\xbc", *sliders = "\xef\x87\x9e", *expand = "\xef\x81\xa5",
                             *crosshair = "\xef\x81\x9b";
 inline constexpr const char *arrow_up = "\xef\x81\xa2", *arrow_down = "\xef\x81\xa3", *arrow_left = "\xef\x81\xa0",
@@ -26,6 +26,7 @@ inline constexpr const char *arrow_up = "\xef\x81\xa2", *arrow_down = "\xef\x81\
 inline constexpr const char *chevron_right = "\xef\x81\x94", *chevron_down = "\xef\x81\xb8", *pencil = "\xef\x81\x80",
                             *move = "\xef\x81\x87";
 inline constexpr const char *gauge = "\xef\x83\xa4", *cloud = "\xef\x83\x82", *reset = "\xef\x80\xa1",
-                            *link = "\xef\x83\x81";
+                            *link = "\xef\x83\x81", *unlink = "\xef\x84\xa7", *dot_on = "\xef\x86\x92",
+                            *dot_off = "\xef\x84\x8c", *home = "\xef\x80\x95";
 
 }  // namespace fieldwright::ui::icon

@@ -1,8 +1,155 @@
 // Drawing the active node: its parameters, help and problems.
 #include "ui/inspector.h"
 
-namespace fieldwright::ui {
+#include "ui/number_text.h"
+#include "ui/parameter_rows.h"
+#include "ui/scene_settings.h"
+#include "ui/widgets.h"
 
-void Inspector::draw(FrameContext&) {}
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+namespace fieldwright::ui {
+namespace {
+
+struct Badge {
+    std::string word, meaning;
+};
+
+Badge badge_of(graph::Quality quality, float approximate_step)
+{
+    switch (quality) {
+        case graph::Quality::exact: return {"exact", "The distance is right everywhere: rays take the longest steps."};
+        case graph::Quality::bound:
+            return {"bound", "The distance is never too long but may be too short: right picture, more steps."};
+        case graph::Quality::approximate: break;
+    }
+    return {"approximate", "The distance may be too long; steps are shortened to " + number_text(approximate_step, 2) +
+                               " of it to be safe."};
+}
+
+// A word on a tinted ground, ending at the right of the row.
+void quality_badge(const FrameContext& frame, const graph::NodeType& type)
+{
+    Badge outside = badge_of(type.quality_outside, type.approximate_step);
+    std::string tip = "Outside: " + outside.meaning;
+    if (type.quality_inside != type.quality_outside)
+        tip += "\nInside, it is " + badge_of(type.quality_inside, type.approximate_step).word + ".";
+    const Theme& theme = frame.theme;
+    ImGui::PushFont(theme.fonts.small);
+    ImVec2 text = ImGui::CalcTextSize(outside.word.c_str());
+    ImVec2 size(text.x + theme.px(14), theme.px(18));
+    ImGui::SameLine(0, 0);
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size.x);
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    low.y += 0.5f * (theme.row() - size.y);
+    ImGui::InvisibleButton("quality", {size.x, theme.row()});
+    frame.rects.mark("inspector/quality");
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, {low.x + size.x, low.y + size.y}, colour::field, 0.5f * size.y);
+    draw.AddText({low.x + theme.px(7), low.y + std::floor(0.5f * (size.y - text.y))}, colour::text,
+                 outside.word.c_str());
+    ImGui::PopFont();
+    tooltip(frame, tip);
+}
+
+void category_chip(const FrameContext& frame, std::string_view category)
+{
+    float side = frame.theme.row();
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("category", {side, side});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, {low.x + side, low.y + side}, category_colour(category), frame.theme.px(5));
+    const char* icon = category_icon(category);
+    ImVec2 size = ImGui::CalcTextSize(icon);
+    draw.AddText({std::floor(low.x + 0.5f * (side - size.x)), std::floor(low.y + 0.5f * (side - size.y))}, colour::text,
+                 icon);
+    tooltip(frame, sentence_case(category));
+}
+
+void header(FrameContext& frame, const graph::Node& node, const graph::NodeType* type)
+{
+    const Theme& theme = frame.theme;
+    category_chip(frame, type ? type->category : "unknown");
+    ImGui::SameLine(0, theme.padding());
+    ImGui::PushFont(theme.fonts.heading);
+    ImGui::BeginDisabled(!type);
+    node_name_field(frame, "inspector/name", node, row_field_width(frame) - theme.gap());
+    ImGui::EndDisabled();
+    ImGui::PopFont();
+    to_row_end(frame);
+    ImGui::BeginDisabled(!type);
+    mute_button(frame, "inspector/mute", *frame.draft.document.root.find(node.id));
+    ImGui::EndDisabled();
+    std::string words = type ? type->title + " · " + type->category : "Unknown type “" + node.type + "”";
+    line_text(frame, words, colour::quiet_text,
+              std::max(ImGui::GetContentRegionAvail().x - theme.px(type && type->is_field() ? 96 : 0), theme.px(40)));
+    if (type && type->is_field()) quality_badge(frame, *type);
+}
+
+void problems(FrameContext& frame, graph::NodeId id)
+{
+    for (const graph::Problem& problem : frame.readings.problems) {
+        if (problem.node != id) continue;
+        bool error = problem.severity == graph::Problem::Severity::error;
+        notice(frame, error ? icon::error : icon::info, error ? colour::error : colour::warning,
+               as_sentence(problem.sentence));
+    }
+}
+
+void help(FrameContext& frame, const graph::NodeType& type)
+{
+    ImGui::PushID("help");
+    bool open = folding_section(frame, "Help");
+    frame.rects.mark("inspector/help");
+    ImGui::PopID();
+    if (!open) return;
+    paragraph(type.help);
+    if (type.synonyms.empty()) return;
+    std::string words = "Also found as ";
+    for (const std::string& word : type.synonyms) words += (&word == &type.synonyms.front() ? "" : ", ") + word;
+    paragraph(words + ".");
+}
+
+void active_node(FrameContext& frame, graph::NodeId id)
+{
+    graph::Document& document = frame.draft.document;
+    const graph::NodeType* type = frame.draft.library.type(document.root.find(id)->type);
+    if (std::size_t count = frame.view.selection.nodes().size(); count > 1) {
+        line_text(frame, std::to_string(count) + " nodes selected; this is the active one", colour::quiet_text);
+        frame.rects.mark("inspector/several");
+    }
+    header(frame, *document.root.find(id), type);
+    problems(frame, id);
+    if (!type) {
+        notice(frame, icon::question, colour::warning,
+               "This version does not know the type. The node is kept unchanged and saved as it was read.");
+        frame.rects.mark("inspector/unknown");
+        return;
+    }
+    ImGui::Dummy({0, 0});
+    parameter_rows(frame, "inspector", id);
+    if (has_inputs(*type)) {
+        section(frame, "Inputs");
+        input_rows(frame, "inspector", id);
+    }
+    help(frame, *type);
+}
+
+}  // namespace
+
+void Inspector::draw(FrameContext& frame)
+{
+    if (graph::NodeId id = frame.view.selection.active(); frame.draft.document.root.find(id)) {
+        active_node(frame, id);
+        return;
+    }
+    ImGui::PushFont(frame.theme.fonts.heading);
+    line_text(frame, "Scene");
+    ImGui::PopFont();
+    paragraph("Click a node on the canvas, or a surface in the picture, to edit it here.");
+    scene_settings(frame, "inspector/scene");
+}
 
 }  // namespace fieldwright::ui

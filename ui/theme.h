@@ -22,6 +22,10 @@ inline constexpr ImU32 accent = rgb(0x5aa9ff);  // selection, focus, primary act
 inline constexpr ImU32 warning = rgb(0xe0a93e), error = rgb(0xef6b6b);
 inline constexpr ImU32 node_body = rgb(0x20242a), canvas = rgb(0x17191d), grid = rgb(0x1f2329);
 
+inline constexpr ImU32 axes[3] = {rgb(0xd9606a), rgb(0x7cab5e), rgb(0x5f8edb)};  // x, y, z
+inline constexpr ImU32 hot = rgb(0xf2cf5b);                                      // the handle under the mouse
+inline constexpr ImU32 veil = rgb(0x15171a, 200);                                // behind text over a picture
+
 constexpr ImU32 with_alpha(ImU32 value, float alpha)
 {
     return (value & ~IM_COL32_A_MASK) | static_cast<ImU32>(alpha * 255.0f + 0.5f) << IM_COL32_A_SHIFT;

@@ -44,6 +44,8 @@ struct ViewState {
     double loop_s = 10;  // playing starts again here
 
     Selection selection;
+    graph::NodeId frame_request;  // the canvas is to bring this node into view; cleared when done
+    std::string hint;  // about what is under the mouse, for the status line; its part writes it every frame
     bool reduced_motion = false;
 };
 

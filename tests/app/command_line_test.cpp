@@ -89,8 +89,15 @@ TEST_F(CommandLine, usage_errors_exit_with_2)
     expect_refusal("new --node sphere", 2, "--output");
     expect_refusal("new --node no_such_node -o " + path("a.scene.json"), 2, "no_such_node");
     expect_refusal("rendr " + scene, 2, "rendr");
-    expect_refusal(scene, 2, "no window yet");
-    EXPECT_EQ(run_program("").code, 2);
+    expect_refusal(scene + " extra", 2, "extra");
+}
+
+TEST_F(CommandLine, without_a_display_the_window_is_refused_in_one_sentence)
+{
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    std::string scene = new_scene("sphere");
+    for (const std::string& words : {scene, "edit " + scene, std::string()}) expect_refusal(words, 4, "window");
 }
 
 TEST_F(CommandLine, a_bad_change_is_refused_with_its_reason)

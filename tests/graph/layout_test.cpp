@@ -70,11 +70,10 @@ TEST_F(Layout, inputs_stand_in_the_order_of_their_sockets)
 
 TEST_F(Layout, crossings_are_swept_away)
 {
-    // Two rows wired crosswise: box and sphere change places.
+    // In the order of sockets box would stand above ball, and its wire to `lower` would cross ball's.
     NodeId box = scene.node("box"), ball = scene.node("sphere");
-    NodeId upper = scene.node("round", {{"d", ball}}), lower = scene.node("round", {{"d", box}});
+    NodeId upper = scene.node("union", {{"a", box}, {"b", ball}}), lower = scene.node("round", {{"d", box}});
     scene.show(scene.node("union", {{"a", upper}, {"b", lower}}));
-    scene.node("shell", {{"d", box}});
     ASSERT_EQ(arrange(document, {}, uneven_size), std::nullopt);
     EXPECT_LT(position(upper).y, position(lower).y);
     EXPECT_LT(position(ball).y, position(box).y);

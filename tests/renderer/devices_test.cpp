@@ -100,8 +100,8 @@ TEST(ViewCamera, equal_to_the_scenes_gives_the_scenes_picture)
     graph::Program program = still_life().program();
     FrameRequest request = small_request();
     Picture of_scene = picture(render_on_cpu(program, request), View::normal, 256);
-    request.camera = ViewCamera{
-        .position = {1.2f, 2.6f, 6.5f}, .target = {0, 0.6f, 0}, .field_of_view_rad = glm::radians(45.0f)};
+    request.camera =
+        ViewCamera{.position = {1.2f, 2.6f, 6.5f}, .target = {0, 0.6f, 0}, .field_of_view_rad = glm::radians(45.0f)};
     EXPECT_LE(share_apart(of_scene, picture(render_on_cpu(program, request), View::normal, 256)), 0.001);
     request.camera->position.x = 2.5f;
     EXPECT_GT(share_apart(of_scene, picture(render_on_cpu(program, request), View::normal, 256)), 0.1);

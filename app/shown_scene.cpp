@@ -1,0 +1,68 @@
+// Lowering the live document, and what is asked of the result.
+#include "app/shown_scene.h"
+
+#include "codegen/glsl.h"
+#include "field/evaluator.h"
+
+#include <algorithm>
+
+namespace fieldwright::app {
+namespace {
+
+const graph::Node* output_of(const graph::Document& document, const graph::Library& library)
+{
+    for (const graph::Node& node : document.root.nodes)
+        if (const graph::NodeType* type = library.type(node.type); type && type->category == "output") return &node;
+    return nullptr;
+}
+
+std::optional<ui::Measured> measured(const graph::Document& document, const std::shared_ptr<const graph::Library>& library,
+                                     graph::NodeId root)
+{
+    graph::LowerOptions options;
+    options.bounds = true;
+    options.root = root;
+    graph::Program program = graph::lower(document, library, options);
+    if (program.bounds < 0) return std::nullopt;
+    std::int32_t slot = program.values[static_cast<std::size_t>(program.bounds)].slot;
+    if (slot < 0) return std::nullopt;
+    std::vector<float> block = field::evaluate_frame(program, 0);
+    const float* box = &block[static_cast<std::size_t>(slot)];
+    return ui::Measured{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+}
+
+}  // namespace
+
+void ShownScene::update(const graph::Document& document, const std::shared_ptr<const graph::Library>& library)
+{
+    document_ = document;
+    library_ = library;
+    program_ = std::make_shared<const graph::Program>(graph::lower(document, library));
+    // The time itself is always a value of frame rate; what is made from it shows that it is read.
+    auto changes = [](const graph::ProgramValue& value) { return value.rate == graph::Rate::frame; };
+    uses_time_ = std::count_if(program_->values.begin(), program_->values.end(), changes) > 1;
+    const graph::Node* output = output_of(document, *library);
+    has_camera_ = output && output->input("camera");
+    bounds_.clear();
+    shader_text_.reset();
+}
+
+std::optional<ui::Measured> ShownScene::bounds_of(graph::NodeId node)
+{
+    auto [known, is_new] = bounds_.try_emplace(node);
+    const graph::Node* found = node ? document_.root.find(node) : nullptr;
+    const graph::NodeType* type = found ? library_->type(found->type) : nullptr;
+    if (is_new && (!node || (type && type->is_field()))) known->second = measured(document_, library_, node);
+    return known->second;
+}
+
+std::shared_ptr<const std::string> ShownScene::shader_text(float time_s)
+{
+    if (!shader_text_) {
+        std::vector<float> block = field::evaluate_frame(*program_, time_s);
+        shader_text_ = std::make_shared<const std::string>(codegen::print_export(*program_, document_, block, "glsl"));
+    }
+    return shader_text_;
+}
+
+}  // namespace fieldwright::app

@@ -1,0 +1,200 @@
+// GLFW and Dear ImGui's backends; GLFW's callbacks only queue what happened.
+#include "app/window.h"
+
+#include "graph/problem.h"
+#include "ui/keys.h"
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fieldwright::app {
+namespace {
+
+using Kind = ui::InputEvent::Kind;
+
+static_assert(ui::key::del == GLFW_KEY_DELETE && ui::key::keypad_0 == GLFW_KEY_KP_0 && ui::key::f1 == GLFW_KEY_F1 &&
+              ui::key::left_shift == GLFW_KEY_LEFT_SHIFT && ui::key::z == GLFW_KEY_Z && ui::key::count > GLFW_KEY_LAST);
+
+std::string last_error()
+{
+    const char* sentence = nullptr;
+    glfwGetError(&sentence);
+    return sentence ? sentence : "no reason given";
+}
+
+// Letters by what is printed on the key, not by where an American keyboard has it.
+int layout_key(int key, int scancode)
+{
+    if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
+    const char* name = glfwGetKeyName(key, scancode);
+    bool letter = name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0;
+    return letter ? name[0] - 'a' + GLFW_KEY_A : key;
+}
+
+}  // namespace
+
+void Window::ContextDeleter::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
+
+Window::Window(const std::string& title, glm::ivec2 size)
+{
+    glfwSetErrorCallback(nullptr);
+    if (!glfwInit())
+        throw graph::Failure(
+            4, "no window can be opened (" + last_error() + "); the commands of `fieldwright --help` work without one");
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "fieldwright");
+    window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+    if (!window_) {
+        std::string reason = last_error();
+        glfwTerminate();
+        throw graph::Failure(4, "the display offers no OpenGL 3.3 window (" + reason +
+                                    "); the commands of `fieldwright --help` work without one");
+    }
+    glfwSetWindowSizeLimits(window_, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    context_.reset(ImGui::CreateContext());
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = io.LogFilename = nullptr;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    ImGui_ImplGlfw_InitForOpenGL(window_, false);
+    ImGui_ImplOpenGL3_Init("#version 330");
+    ui::map_keys(io);
+    theme_ = ui::make_theme(content_scale());
+    connect_input();
+}
+
+Window::~Window()
+{
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    context_.reset();
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void Window::push(ui::InputEvent event)
+{
+    input.push(event);
+    touched_ = true;
+}
+
+void Window::connect_input()
+{
+    glfwSetWindowUserPointer(window_, this);
+    static constexpr auto self = [](GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); };
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        self(window)->push({.kind = Kind::move, .at = {static_cast<float>(x), static_cast<float>(y)}});
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+        self(window)->push({.kind = Kind::button, .code = button, .down = action == GLFW_PRESS});
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+        self(window)->push({.kind = Kind::wheel, .at = {static_cast<float>(x), static_cast<float>(y)}});
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int) {
+        if (key >= 0 && action != GLFW_REPEAT)
+            self(window)->push({.kind = Kind::key, .code = layout_key(key, scancode), .down = action == GLFW_PRESS});
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned codepoint) {
+        self(window)->push({.kind = Kind::character, .code = static_cast<int>(codepoint)});
+    });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
+        self(window)->push({.kind = Kind::focus, .down = focused == GLFW_TRUE});
+    });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) {
+        glfwSetWindowShouldClose(window, GLFW_FALSE);
+        self(window)->close_asked_ = self(window)->touched_ = true;
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+        self(window)->dropped_.assign(paths, paths + count);
+        self(window)->touched_ = true;
+    });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { self(window)->touched_ = true; });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { self(window)->touched_ = true; });
+}
+
+float Window::content_scale() const
+{
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::clamp(std::round(4 * x) / 4, 0.75f, 4.0f);
+}
+
+void Window::update_theme()
+{
+    if (content_scale() == theme_.scale) return;
+    theme_ = ui::make_theme(content_scale());
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void Window::wait(double seconds)
+{
+    if (!touched_ && input.empty() && seconds > 0) glfwWaitEventsTimeout(seconds);
+    else glfwPollEvents();
+}
+
+void Window::wake() { glfwPostEmptyEvent(); }
+
+void Window::begin_frame()
+{
+    touched_ = false;
+    update_theme();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    input.pass(ImGui::GetIO());
+    ImGui::NewFrame();
+}
+
+void Window::draw_frame()
+{
+    ImGui::Render();
+    glm::ivec2 size = size_px();
+    glViewport(0, 0, size.x, size.y);
+    ImVec4 background = ImGui::ColorConvertU32ToFloat4(ui::colour::window);
+    glClearColor(background.x, background.y, background.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::show_frame() { glfwSwapBuffers(window_); }
+
+void Window::rename(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+void Window::resize(glm::ivec2 size) { glfwSetWindowSize(window_, size.x, size.y); }
+bool Window::close_asked() { return std::exchange(close_asked_, false); }
+std::vector<std::string> Window::dropped_files() { return std::exchange(dropped_, {}); }
+bool Window::visible() const { return !glfwGetWindowAttrib(window_, GLFW_ICONIFIED) && size_px().x > 0; }
+std::string Window::renderer_name() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+
+glm::ivec2 Window::size_px() const
+{
+    glm::ivec2 size;
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+std::vector<unsigned char> Window::screenshot() const
+{
+    glm::ivec2 size = size_px();
+    auto width = static_cast<std::size_t>(size.x) * 3, height = static_cast<std::size_t>(size.y);
+    std::vector<unsigned char> bottom_up(width * height), top_down(width * height);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
+    for (std::size_t y = 0; y < height; ++y)
+        std::copy_n(&bottom_up[(height - 1 - y) * width], width, &top_down[y * width]);
+    return top_down;
+}
+
+}  // namespace fieldwright::app

@@ -1,0 +1,90 @@
+// The editor as a program: window, session, render thread and the parts of ui, brought together frame by frame.
+#pragma once
+
+#include "app/autosave.h"
+#include "app/folder_watch.h"
+#include "app/native_dialog.h"
+#include "app/recent_files.h"
+#include "app/script.h"
+#include "app/session.h"
+#include "app/shown_picture.h"
+#include "app/shown_scene.h"
+#include "app/user_folders.h"
+#include "app/window.h"
+#include "app/window_state.h"
+#include "renderer/render_thread.h"
+#include "ui/editor.h"
+
+#include <chrono>
+#include <optional>
+
+namespace fieldwright::app {
+
+struct WorkbenchOptions {
+    std::filesystem::path scene;      // empty = a new scene
+    std::filesystem::path shaders;    // read and watched; empty = built in
+    std::filesystem::path script;     // played, when given
+    std::filesystem::path state;      // instead of the user's folders, when given
+    std::filesystem::path recording;  // where the input is recorded, when given
+    glm::ivec2 size{1440, 900};       // px
+};
+
+class Workbench {
+public:
+    explicit Workbench(const WorkbenchOptions& options);  // graph::Failure
+    int run();                                            // until the window closes; the exit code
+
+private:
+    double now_s() const;
+    void frame();
+    bool something_moves() const;
+    double patience_s() const;
+    void watch_shaders();
+    void fill_readings();
+    void take_result();
+    void request_picture(bool interacting);
+    void perform(const ui::Request& request);
+    void choose(const ui::ChooseFile& request);
+    void answer_dialog();
+    void chosen(const ui::ChooseFile& request, const std::filesystem::path& path);
+    void open(const std::filesystem::path& path);
+    void save(const std::optional<std::filesystem::path>& path);
+    void export_shader(const ui::ExportFile& request);
+    void export_picture(const std::filesystem::path& path);
+    void scene_replaced();
+    void play_script();
+    void remember_view();
+    void recall_view();
+    void recall_window();
+    void say(std::string sentence, bool is_error = false);
+    // Runs `action`; a failure becomes the status line's sentence.
+    template <typename Action>
+    bool attempt(const Action& action);
+
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    WorkbenchOptions options_;
+    UserFolders folders_;
+    WindowState state_;
+    RecentFiles recent_;
+    EditSession session_;
+    Autosave autosave_;
+    Window window_;
+    renderer::RenderThread render_thread_;
+    ShownScene scene_;
+    ShownPicture picture_;
+    ui::Editor editor_;
+    ui::Readings readings_;
+
+    NativeDialog dialog_;
+    std::optional<ui::ChooseFile> dialog_request_;
+    std::optional<FolderWatch> watch_;
+    std::optional<Script> script_;
+    std::optional<std::filesystem::path> picture_wanted_;  // to be written when the picture is finished
+    std::string reload_error_, compile_error_;
+    bool quit_ = false;
+    double last_frame_s_ = 0, last_touch_s_ = 0;
+    std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything
+    std::optional<renderer::PictureRequest> requested_;
+};
+
+}  // namespace fieldwright::app

@@ -1,0 +1,108 @@
+// Scripts: the hands of screenshots and of the walk through the window.
+#include "app/script.h"
+
+#include "graph/problem.h"
+#include "tests/graph/temporary_folder.h"
+#include "ui/keys.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+namespace fieldwright {
+namespace {
+
+using Kind = ui::InputEvent::Kind;
+
+class ScriptTest : public testing::Test {
+protected:
+    app::Script script(const std::string& text)
+    {
+        graph::write_file(folder_ / "test.script", text);
+        return app::Script(folder_ / "test.script");
+    }
+
+    // Plays to the end as the window does, a frame at a time; what was told to Dear ImGui, as a recording.
+    std::string played(app::Script script, int frame_limit = 200)
+    {
+        ImGuiIO io;
+        input.start_recording();
+        app::Script::Stage stage{
+            .input = input,
+            .rects = rects,
+            .settled = true,
+            .take_screenshot = [&](const std::filesystem::path& path) { screenshots.push_back(path.string()); },
+            .resize = [&](glm::ivec2 wanted) { size = wanted; },
+            .quit = [&] { quit = true; },
+        };
+        for (int i = 0; i < frame_limit && !(script.finished() && input.empty()); ++i) {
+            input.pass(io);
+            script.play(stage);
+        }
+        EXPECT_TRUE(script.finished());
+        std::string told;
+        for (const auto& frame : ui::parse_recording(input.recording()))
+            for (const ui::InputEvent& event : frame) told += ui::event_line(event) + "; ";
+        return told;
+    }
+
+    ui::InputQueue input;
+    ui::WidgetRects rects;
+    std::vector<std::string> screenshots;
+    glm::ivec2 size{0, 0};
+    bool quit = false;
+
+private:
+    graph::TemporaryFolder folder_;
+};
+
+TEST_F(ScriptTest, a_click_presses_and_releases_in_the_middle_of_the_widget)
+{
+    rects.listening = true;
+    rects.mark("menu/File", {{10, 20}, {30, 40}});
+    EXPECT_EQ(played(script("# a comment\n\nclick menu/File\n")), "move 20 30; button 0 down; button 0 up; ");
+}
+
+TEST_F(ScriptTest, keys_come_with_their_modifiers_and_text_as_letters)
+{
+    EXPECT_EQ(played(script("key ctrl+z\ntype ab\n")),
+              "key 341 down; key 90 down; key 90 up; key 341 up; character 97; character 98; ");
+}
+
+TEST_F(ScriptTest, a_drag_moves_in_steps_between_press_and_release)
+{
+    rects.listening = true;
+    rects.mark("a", {{0, 0}, {20, 20}});
+    std::string told = played(script("drag a 60 0\n"));
+    EXPECT_EQ(told.find("move 10 10; button 0 down; move 20 10; "), 0u) << told;
+    EXPECT_NE(told.find("move 70 10; wheel 0 0; button 0 up; "), std::string::npos) << told;
+}
+
+TEST_F(ScriptTest, the_window_is_asked_for_pictures_sizes_and_its_end)
+{
+    played(script("settle\nscreenshot a.png\nresize 640x480\nquit\n"));
+    EXPECT_EQ(screenshots, std::vector<std::string>{"a.png"});
+    EXPECT_EQ(size, glm::ivec2(640, 480));
+    EXPECT_TRUE(quit);
+}
+
+TEST_F(ScriptTest, a_slip_is_refused_with_file_and_line)
+{
+    for (const char* text : {"click a\ndance\n", "click a\nkey ctrl+nothing\n", "click a\ndrag a\n"}) {
+        try {
+            script(text);
+            ADD_FAILURE() << text << " was taken";
+        } catch (const graph::Failure& failure) {
+            EXPECT_EQ(std::string(failure.what()).find("test.script:2: "), 0u) << failure.what();
+            EXPECT_EQ(failure.exit_code, 2);
+        }
+    }
+}
+
+TEST_F(ScriptTest, a_widget_that_never_appears_is_named)
+{
+    app::Script waiting = script("click nowhere\n");
+    EXPECT_THROW(played(std::move(waiting), 2000), graph::Failure);
+}
+
+}  // namespace
+}  // namespace fieldwright

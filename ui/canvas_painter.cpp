@@ -1,0 +1,318 @@
+// Painting the grid, nodes, pins and wires.
+#include "ui/canvas_painter.h"
+
+#include "ui/icons.h"
+#include "ui/node_words.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fieldwright::ui {
+
+using graph::SocketKind;
+
+namespace {
+
+constexpr float title_size = 13, label_size = 12;  // canvas px
+constexpr float node_rounding = 5, pin_size = 5;
+constexpr float readable_px = 10;  // titles do not get smaller when the canvas does
+constexpr const char* ellipsis = "\xe2\x80\xa6";
+
+ImVec2 im(glm::vec2 v) { return {v.x, v.y}; }
+glm::vec2 whole(glm::vec2 v) { return {std::round(v.x), std::round(v.y)}; }
+
+ImU32 mixed(ImU32 a, ImU32 b, float amount)
+{
+    ImVec4 from = ImGui::ColorConvertU32ToFloat4(a), to = ImGui::ColorConvertU32ToFloat4(b);
+    return ImGui::ColorConvertFloat4ToU32(ImLerp(from, to, amount));
+}
+
+ImU32 header_colour(const CanvasNode& node)
+{
+    ImU32 full = category_colour(node.type ? node.type->category : "");
+    return node.node->muted ? mixed(full, colour::node_body, 0.65f) : full;
+}
+
+ImU32 text_colour(const CanvasNode& node) { return node.node->muted ? colour::quiet_text : colour::text; }
+
+float encoded(float linear)  // sRGB
+{
+    float c = std::clamp(linear, 0.0f, 1.0f);
+    return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+}
+
+ImU32 swatch_colour(glm::vec3 linear)
+{
+    return ImGui::ColorConvertFloat4ToU32({encoded(linear.r), encoded(linear.g), encoded(linear.b), 1});
+}
+
+// How many bytes of `text` fit `width`, at a border between characters.
+std::size_t fitting_bytes(const ImFont& font, float size_px, std::string_view text, float width)
+{
+    const char* rest = text.data();
+    if (width > 0) font.CalcTextSizeA(size_px, width, 0, text.data(), text.data() + text.size(), &rest);
+    return static_cast<std::size_t>(rest - text.data());
+}
+
+}  // namespace
+
+Detail detail_at(float zoom) { return zoom < 0.25f ? Detail::boxes : zoom < 0.5f ? Detail::titles : Detail::full; }
+
+Box problem_badge(const Box& node)
+{
+    glm::vec2 middle{node.high.x - 22, node.low.y + 0.5f * node_header};
+    return {middle - 9.0f, middle + 9.0f};
+}
+
+Box quality_badge(const Box& node, bool with_problem)
+{
+    glm::vec2 middle{node.high.x - (with_problem ? 40.0f : 20.0f), node.low.y + 0.5f * node_header};
+    return {middle - 9.0f, middle + 9.0f};
+}
+
+CanvasPainter::CanvasPainter(ImDrawList& list, const Theme& theme, const CanvasSpace& space, float zoom)
+    : list_(list), theme_(theme), space_(space), detail_(detail_at(zoom)), seen_(space.visible().grown(12))
+{
+}
+
+// Two nets, each fading before its lines get crowded.
+void CanvasPainter::grid()
+{
+    Box pane = space_.pane_px();
+    for (float spacing : {24.0f, 120.0f, 600.0f}) {
+        float step = px(spacing), strength = std::clamp((step - theme_.px(8)) / theme_.px(24), 0.0f, 1.0f);
+        if (strength <= 0) continue;
+        ImU32 lines = colour::with_alpha(colour::grid, strength);
+        glm::vec2 first = space_.pan_px - glm::floor(space_.pan_px / step) * step;
+        for (float x = first.x; x < space_.size_px.x; x += step)
+            list_.AddRectFilled(im({std::round(pane.low.x + x), pane.low.y}),
+                                im({std::round(pane.low.x + x) + 1, pane.high.y}), lines);
+        for (float y = first.y; y < space_.size_px.y; y += step)
+            list_.AddRectFilled(im({pane.low.x, std::round(pane.low.y + y)}),
+                                im({pane.high.x, std::round(pane.low.y + y) + 1}), lines);
+    }
+}
+
+void CanvasPainter::wire(const WireCurve& curve, SocketKind kind, WireLook look)
+{
+    if (!visible(curve.box())) return;
+    ImU32 colour = socket_colour(kind);
+    bool strong = look == WireLook::hovered || look == WireLook::selected;
+    float alpha = look == WireLook::faint ? 0.3f : strong ? 1.0f : 0.75f;
+    float width = std::max((strong ? 3.0f : 2.0f) * std::min(space_.scale, theme_.px(1.5f)), theme_.px(1));
+    if (look == WireLook::hovered) colour = mixed(colour, colour::text, 0.4f);
+    ImVec2 points[4];
+    for (std::size_t i = 0; i < 4; ++i) points[i] = im(space_.screen(curve.points[i]));
+    int segments = detail_ == Detail::boxes ? 8 : 24;
+    list_.AddBezierCubic(points[0], points[1], points[2], points[3], colour::with_alpha(colour, alpha), width,
+                         segments);
+}
+
+void CanvasPainter::node(const CanvasNode& node, const NodeLook& look)
+{
+    if (!visible(node.box)) return;
+    Box screen = space_.screen(node.box);
+    Box box_px{whole(screen.low), whole(screen.high)};
+    if (detail_ == Detail::boxes) plain_box(node, look, box_px);
+    else if (detail_ == Detail::titles) title_box(node, look, box_px);
+    else full_box(node, look, box_px);
+}
+
+void CanvasPainter::plain_box(const CanvasNode& node, const NodeLook& look, const Box& box_px)
+{
+    list_.AddRectFilled(im(box_px.low), im(box_px.high), header_colour(node));
+    if (look.selected || look.hovered || look.problem) outline(box_px, look, 0);
+}
+
+void CanvasPainter::title_box(const CanvasNode& node, const NodeLook& look, const Box& box_px)
+{
+    float rounding = px(node_rounding), size = std::max(px(title_size), theme_.px(readable_px));
+    list_.AddRectFilled(im(box_px.low), im(box_px.high), header_colour(node), rounding);
+    outline(box_px, look, rounding);
+    float inset = theme_.px(4), width = box_px.size().x - 2 * inset;
+    if (!look.renamed)
+        text({box_px.low.x + inset, box_px.centre().y - 0.5f * size}, size, text_colour(node),
+             node_title(*node.node, node.type), width, true);
+    if (node.node->muted) bypass_line(node, box_px);
+}
+
+void CanvasPainter::full_box(const CanvasNode& node, const NodeLook& look, const Box& box_px)
+{
+    float rounding = px(node_rounding);
+    shadow(box_px, rounding);
+    list_.AddRectFilled(im(box_px.low), im(box_px.high), colour::node_body, rounding);
+    header(node, look, box_px);
+    for (std::size_t i = 0; i < node.input_count(); ++i) row(node, i);
+    outline(box_px, look, rounding);
+    if (node.node->muted) bypass_line(node, box_px);
+}
+
+void CanvasPainter::shadow(const Box& box_px, float rounding)
+{
+    for (float spread : {2.0f, 5.0f, 9.0f}) {
+        Box soft = box_px.grown(px(spread));
+        glm::vec2 down{0, px(3)};
+        list_.AddRectFilled(im(soft.low + down), im(soft.high + down), IM_COL32(0, 0, 0, 26), rounding + px(spread));
+    }
+}
+
+void CanvasPainter::outline(const Box& box_px, const NodeLook& look, float rounding)
+{
+    bool error = look.problem && look.problem->severity == graph::Problem::Severity::error;
+    ImU32 line = look.selected  ? colour::accent
+                 : error        ? colour::error
+                 : look.hovered ? colour::quiet_text
+                                : colour::line;
+    float width = theme_.px(look.selected ? 2.0f : error ? 1.5f : 1.0f);
+    list_.AddRect(im(box_px.low), im(box_px.high), line, rounding, 0, width);
+}
+
+void CanvasPainter::header(const CanvasNode& node, const NodeLook& look, const Box& box_px)
+{
+    bool alone = node.input_count() == 0;
+    glm::vec2 corner{box_px.high.x, alone ? box_px.high.y : std::round(box_px.low.y + px(node_header))};
+    list_.AddRectFilled(im(box_px.low), im(corner), header_colour(node), px(node_rounding),
+                        alone ? ImDrawFlags_RoundCornersAll : ImDrawFlags_RoundCornersTop);
+    float right = box_px.high.x - px(12);
+    float size = px(title_size);
+    if (look.problem) {
+        Box badge = space_.screen(problem_badge(node.box));
+        bool error = look.problem->severity == graph::Problem::Severity::error;
+        list_.AddCircleFilled(im(badge.centre()), px(8.5f), colour::node_body);
+        float width = text_width(px(14), error ? icon::error : icon::warning);
+        text({badge.centre().x - 0.5f * width, badge.centre().y - px(7.5f)}, px(14),
+             error ? colour::error : colour::warning, error ? icon::error : icon::warning, px(20));
+        right = badge.low.x - px(2);
+    }
+    if (node.type && node.type->is_field() && node.type->category != "output") {
+        Box badge = space_.screen(quality_badge(node.box, look.problem));
+        const char* sign = quality_words(*node.type).sign;
+        float width = text_width(size, sign);
+        text({badge.centre().x - 0.5f * width, badge.centre().y - 0.6f * size}, size,
+             colour::with_alpha(colour::text, 0.6f), sign, px(16));
+        right = badge.low.x - px(2);
+    }
+    if (look.renamed) return;
+    float left = box_px.low.x + px(10);
+    text({left, box_px.low.y + px(0.5f * node_header) - 0.6f * size}, size, text_colour(node),
+         node_title(*node.node, node.type), right - left, true);
+}
+
+void CanvasPainter::row(const CanvasNode& node, std::size_t row)
+{
+    glm::vec2 pin_px = space_.screen(node.input_pin(row));
+    std::string label = socket_label(node.type, node.input_name(row));
+    float size = px(label_size), left = pin_px.x + px(12), room = px(node_width - 24);
+    text({left, pin_px.y - 0.6f * size}, size, colour::quiet_text, label, room);
+    if (node.type && !node.node->input(node.input_name(row)))
+        row_value(node, row, left + std::min(text_width(size, label), room) + px(8), pin_px.y);
+}
+
+// What an unwired parameter is, right-aligned.
+void CanvasPainter::row_value(const CanvasNode& node, std::size_t row, float left_px, float middle_px)
+{
+    const graph::Parameter* parameter = node.type->parameter(node.input_name(row));
+    const graph::Value* value = parameter ? node.node->parameter(parameter->name) : nullptr;
+    if (!value) return;
+    float right = space_.screen(node.box.high).x - px(10), size = px(label_size);
+    if (parameter->kind == graph::ParameterKind::colour && std::holds_alternative<glm::vec3>(*value)) {
+        list_.AddRectFilled(im({right - px(28), middle_px - px(7)}), im({right, middle_px + px(7)}),
+                            swatch_colour(std::get<glm::vec3>(*value)), px(3));
+        return;
+    }
+    std::string words = value_text(*parameter, *value);
+    float width = std::min(text_width(size, words), right - left_px);
+    text({right - width, middle_px - 0.6f * size}, size, text_colour(node), words, width + 1);
+}
+
+// A muted node is dimmed, and shows what it passes on: its first wired shape, or nothing.
+void CanvasPainter::bypass_line(const CanvasNode& node, const Box& box_px)
+{
+    list_.AddRectFilled(im(box_px.low), im(box_px.high), colour::with_alpha(colour::canvas, 0.35f), px(node_rounding));
+    float width = std::max(px(2), theme_.px(1));
+    for (std::size_t row = 0; row < node.input_count(); ++row) {
+        if (!node.node->input(node.input_name(row)) || !has_output(node.type)) continue;
+        list_.AddLine(im(space_.screen(node.input_pin(row))), im(space_.screen(node.output_pin())),
+                      socket_colour(node.input_kind(row)), width);
+        return;
+    }
+    glm::vec2 inset{px(6), px(6)};
+    list_.AddLine(im(box_px.low + inset), im(box_px.high - inset), colour::quiet_text, width);
+}
+
+void CanvasPainter::pin(glm::vec2 at, SocketKind kind, bool wired, PinLook look)
+{
+    if (detail_ == Detail::boxes || !visible({at, at})) return;
+    ImVec2 middle = im(space_.screen(at));
+    float radius = std::max(px(pin_size), theme_.px(2.5f)) * (look == PinLook::hovered ? 1.3f : 1.0f);
+    ImU32 edge = socket_colour(kind), fill = wired ? edge : mixed(colour::node_body, edge, 0.25f);
+    if (look == PinLook::dim) {
+        edge = mixed(colour::node_body, edge, 0.3f);
+        fill = mixed(colour::node_body, fill, 0.3f);
+    }
+    if (look == PinLook::glowing || look == PinLook::hovered)
+        list_.AddCircleFilled(middle, radius * 1.9f, colour::with_alpha(edge, 0.25f));
+    auto polygon = [&](int corners, float turned, float size) {
+        for (int i = 0; i < corners; ++i) {
+            float angle = turned + 2 * IM_PI * static_cast<float>(i) / static_cast<float>(corners);
+            list_.PathLineTo({middle.x + size * std::cos(angle), middle.y + size * std::sin(angle)});
+        }
+    };
+    auto shape = [&](float size) {
+        switch (kind) {
+            case SocketKind::field2d:
+            case SocketKind::field3d:
+            case SocketKind::field_any: polygon(4, 0, 1.25f * size); return;
+            case SocketKind::material: polygon(4, IM_PI / 4, 1.25f * size); return;
+            case SocketKind::camera: polygon(3, 0, 1.3f * size); return;
+            case SocketKind::sky: polygon(6, 0, 1.1f * size); return;
+            default: polygon(detail_ == Detail::full ? 16 : 8, 0, size); return;
+        }
+    };
+    shape(radius);
+    list_.PathFillConvex(fill);
+    shape(radius);
+    list_.PathStroke(edge, ImDrawFlags_Closed, std::max(px(1.5f), theme_.px(1)));
+}
+
+void CanvasPainter::selection_box(const Box& box)
+{
+    Box box_px = space_.screen(box);
+    list_.AddRectFilled(im(box_px.low), im(box_px.high), colour::with_alpha(colour::accent, 0.1f));
+    list_.AddRect(im(box_px.low), im(box_px.high), colour::with_alpha(colour::accent, 0.8f), 0, 0, theme_.px(1));
+}
+
+void CanvasPainter::cut_stroke(const std::vector<glm::vec2>& points)
+{
+    for (glm::vec2 point : points) list_.PathLineTo(im(space_.screen(point)));
+    list_.PathStroke(colour::error, 0, theme_.px(2));
+}
+
+float CanvasPainter::text_width(float size_px, std::string_view text, bool heading) const
+{
+    const ImFont& font = *canvas_font(theme_, size_px, heading).font;
+    return font.CalcTextSizeA(size_px, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
+}
+
+bool CanvasPainter::text(glm::vec2 at_px, float size_px, ImU32 colour, std::string_view text, float width_px,
+                         bool heading)
+{
+    const ImFont* font = canvas_font(theme_, size_px, heading).font;
+    glm::vec2 at = whole(at_px);
+    const char *first = text.data(), *last = first + text.size();
+    if (font->CalcTextSizeA(size_px, FLT_MAX, 0, first, last).x <= width_px) {
+        list_.AddText(font, size_px, im(at), colour, first, last);
+        return true;
+    }
+    float dots = font->CalcTextSizeA(size_px, FLT_MAX, 0, ellipsis).x;
+    if (width_px < dots) return false;
+    std::string cut(text.substr(0, fitting_bytes(*font, size_px, text, width_px - dots)));
+    while (!cut.empty() && cut.back() == ' ') cut.pop_back();
+    cut += ellipsis;
+    list_.AddText(font, size_px, im(at), colour, cut.c_str());
+    return false;
+}
+
+}  // namespace fieldwright::ui

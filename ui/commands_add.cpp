@@ -1,0 +1,53 @@
+// Commands of the Add menu: the add menu itself, and one for each node type.
+#include "ui/canvas.h"
+#include "ui/commands.h"
+#include "ui/keys.h"
+
+namespace fieldwright::ui {
+namespace {
+
+std::string category_title(std::string_view category)
+{
+    return category == "shape2d" ? "2D shape" : in_words(category);
+}
+
+// "Torus" -> "torus", but "2D ring" and "XOR" stay.
+std::string inside_a_sentence(std::string title)
+{
+    if (title.size() > 1 && title[1] >= 'a' && title[1] <= 'z' && title[0] >= 'A' && title[0] <= 'Z')
+        title[0] = static_cast<char>(title[0] + ('a' - 'A'));
+    return title;
+}
+
+}  // namespace
+
+void append_add_commands(std::vector<Command>& list, const graph::Library& library)
+{
+    list.push_back({.id = "add.menu",
+                    .title = "Add a node…",
+                    .menu = "Add",
+                    .help = "Opens the list of node types, to be searched by name.",
+                    .icon = icon::add,
+                    .shortcuts = {{.key = key::tab, .scope = Scope::canvas},
+                                  {.key = 'A', .shift = true, .scope = Scope::canvas},
+                                  {.key = key::space, .scope = Scope::canvas},
+                                  {.key = key::tab, .scope = Scope::viewport},
+                                  {.key = 'A', .shift = true, .scope = Scope::viewport}},
+                    .run = [](CommandContext& context) {
+                        context.frame.view.panes.shown = true;
+                        context.canvas.open_add_menu();
+                    }});
+    std::string category;
+    for (const graph::NodeType* type : library.types()) {
+        list.push_back(
+            {.id = "add." + type->name,
+             .title = "Add " + inside_a_sentence(type->title),
+             .menu = "Add/" + category_title(type->category),
+             .help = type->help,
+             .separator = category.empty(),
+             .run = [name = type->name](CommandContext& context) { context.canvas.add(context.frame, name); }});
+        category = type->category;
+    }
+}
+
+}  // namespace fieldwright::ui

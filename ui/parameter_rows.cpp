@@ -1,0 +1,338 @@
+// A row by the kind of its parameter; every change goes through graph::set_parameter.
+#include "ui/parameter_rows.h"
+
+#include "ui/colour_field.h"
+#include "ui/number_field.h"
+#include "ui/number_text.h"
+#include "ui/points_field.h"
+#include "ui/widgets.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+namespace fieldwright::ui {
+namespace {
+
+using graph::Parameter;
+using graph::ParameterKind;
+
+// One row being drawn.
+struct Row {
+    FrameContext& frame;
+    std::string path;  // "inspector/radius"
+    const graph::Node& node;
+    const Parameter& parameter;
+    std::string title;  // "Radius"
+    float width_px = 0;
+
+    const graph::Library& library() const { return frame.draft.library; }
+    std::string step(std::string_view verb) const
+    {
+        std::string words = parameter.name;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        return std::string(verb) + " " + title_of(node, library()) + " " + words;
+    }
+    void write(graph::Value value, std::string_view verb = "Change") const
+    {
+        std::string name = step(verb);  // before the document moves under `node`
+        frame.draft.done(
+            name, graph::set_parameter(frame.draft.document, library(), node.id, parameter.name, std::move(value)));
+    }
+    void mark(std::string_view part = {}) const
+    {
+        frame.rects.mark(part.empty() ? path : path + "/" + std::string(part));
+    }
+};
+
+template <typename T>
+T value_of(const Row& row)
+{
+    const graph::Value* value = row.node.parameter(row.parameter.name);
+    const T* held = value ? std::get_if<T>(value) : nullptr;
+    return held ? *held : T{};
+}
+
+std::string lower_title(const Row& row) { return title_of(row.node, row.library()) + "'s " + row.parameter.name; }
+
+void number_row(const Row& row)
+{
+    bool whole = row.parameter.kind == ParameterKind::integer;
+    double value = whole ? value_of<int>(row) : static_cast<double>(value_of<float>(row));
+    NumberStyle style = number_style(row.parameter);
+    style.width_px = row.width_px;
+    bool changed = number_field(row.frame, "##number", lower_title(row), value, style);
+    row.mark();
+    if (!changed) return;
+    if (whole) row.write(static_cast<int>(value));
+    else row.write(static_cast<float>(value));
+}
+
+void vector_row(const Row& row)
+{
+    bool flat = row.parameter.kind == ParameterKind::vec2;
+    glm::vec3 value = flat ? glm::vec3(value_of<glm::vec2>(row), 0) : value_of<glm::vec3>(row);
+    NumberStyle style = number_style(row.parameter);
+    style.width_px = row.width_px;
+    bool changed = vector_field(row.frame, row.path, lower_title(row), &value.x, flat ? 2 : 3, style);
+    row.mark();
+    if (!changed) return;
+    if (flat) row.write(glm::vec2(value));
+    else row.write(value);
+}
+
+void boolean_row(const Row& row)
+{
+    bool on = value_of<bool>(row);
+    bool changed = toggle(row.frame, "toggle", on);
+    row.mark();
+    if (changed) row.write(on);
+}
+
+// What is chosen, and an arrow, over the frame of a combo.
+void draw_combo(const Theme& theme, ImDrawList& draw, ImVec2 low, ImVec2 high, const std::string& shown)
+{
+    float y = low.y + std::floor(0.5f * (theme.row() - ImGui::GetFontSize()));
+    draw.AddText({low.x + theme.px(8), y}, colour::text, fitted(shown, high.x - low.x - theme.px(34)).c_str());
+    ImVec2 middle(high.x - theme.px(13), 0.5f * (low.y + high.y) + theme.px(1));
+    float arm = theme.px(3.5f);
+    ImVec2 arrow[] = {{middle.x - arm, middle.y - 0.5f * arm},
+                      {middle.x, middle.y + 0.5f * arm},
+                      {middle.x + arm, middle.y - 0.5f * arm}};
+    draw.AddPolyline(arrow, 3, colour::quiet_text, 0, theme.px(1.5f));
+}
+
+// A combo of the words; the chosen one, or nothing.
+template <typename Label>
+std::optional<std::size_t> combo(const Row& row, const std::string& shown, std::size_t count, const Label& label)
+{
+    const Theme& theme = row.frame.theme;
+    ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + row.width_px, low.y + theme.row());
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    RowPadding padding(theme);
+    ImGui::SetNextItemWidth(row.width_px);
+    ImGui::SetNextWindowSizeConstraints({row.width_px, 0}, {row.width_px, theme.px(360)});
+    bool open = ImGui::BeginCombo("##combo", nullptr, ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
+    draw_combo(theme, draw, low, high, shown);
+    row.frame.rects.mark(row.path, {{low.x, low.y}, {high.x, high.y}});
+    if (!open) return std::nullopt;
+    std::optional<std::size_t> chosen;
+    float room = ImGui::GetContentRegionAvail().x;
+    for (std::size_t i = 0; i < count; ++i) {
+        auto [word, text] = label(i);
+        if (ImGui::Selectable((fitted(text, room) + "##" + word).c_str(), text == shown, 0, {0, theme.px(20)}))
+            chosen = i;
+        row.mark("choice/" + word);
+    }
+    ImGui::EndCombo();
+    return chosen;
+}
+
+void choice_row(const Row& row)
+{
+    std::string current = value_of<std::string>(row);
+    const auto& words = row.parameter.choices;
+    auto label = [&](std::size_t i) { return std::pair(words[i], sentence_case(words[i])); };
+    if (auto chosen = combo(row, sentence_case(current), words.size(), label)) row.write(words[*chosen]);
+}
+
+void colour_row(const Row& row)
+{
+    auto value = value_of<glm::vec3>(row);
+    if (colour_field(row.frame, row.path, lower_title(row), value, row.width_px)) row.write(value);
+}
+
+// An unwired material: one of the document's can be taken.
+void material_row(const Row& row)
+{
+    std::vector<const graph::Node*> materials;
+    for (const graph::Node& node : row.frame.draft.document.root.nodes)
+        if (const graph::NodeType* type = row.library().type(node.type);
+            type && type->output == graph::SocketKind::material)
+            materials.push_back(&node);
+    auto label = [&](std::size_t i) {
+        return std::pair(std::to_string(materials[i]->id.number), title_of(*materials[i], row.library()));
+    };
+    auto chosen = combo(row, materials.empty() ? "No materials yet" : "Choose a material", materials.size(), label);
+    if (!chosen) return;
+    std::string name = "Give " + title_of(row.node, row.library()) + " the material " + label(*chosen).second;
+    row.frame.draft.done(name, graph::connect(row.frame.draft.document, row.library(), materials[*chosen]->id,
+                                              row.node.id, row.parameter.name));
+}
+
+void list_row(const Row& row)
+{
+    auto points = value_of<graph::PointList>(row);
+    line_text(row.frame, std::to_string(points.size()) + (points.size() == 1 ? " point" : " points"),
+              colour::quiet_text, row.width_px);
+    row.mark();
+}
+
+// What is wired to a socket: a click selects it. The icon after it takes the wire off.
+void source_field(FrameContext& frame, const std::string& path, const graph::Node& node, std::string_view socket,
+                  graph::NodeId source_id, float width_px)
+{
+    graph::Document& document = frame.draft.document;
+    const graph::Library& library = frame.draft.library;
+    const graph::Node* source = document.root.find(source_id);
+    const graph::NodeType* type = source ? library.type(source->type) : nullptr;
+    std::string title = source ? title_of(*source, library) : "a missing node";
+    ImU32 tint = type ? socket_colour(type->output) : colour::quiet_text;
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    bool pressed = ImGui::InvisibleButton("source", {width_px, frame.theme.row()});
+    frame.rects.mark(path);
+    bool hovered = ImGui::IsItemHovered();
+    if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    tooltip(frame, "Select " + title);
+    const Theme& theme = frame.theme;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, {low.x + width_px, low.y + theme.row()},
+                       ImGui::GetColorU32(hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg, 0.6f), theme.px(4));
+    draw.AddCircleFilled({low.x + theme.px(12), low.y + 0.5f * theme.row()}, theme.px(4), tint);
+    std::string words = fitted("from " + title, width_px - theme.px(28));
+    draw.AddText({low.x + theme.px(22), low.y + std::floor(0.5f * (theme.row() - ImGui::GetFontSize()))}, colour::text,
+                 words.c_str());
+    to_row_end(frame);
+    bool unwire = icon_button(frame, "unwire", icon::unlink, "Take this wire off");
+    frame.rects.mark(path + "/unwire");
+    if (pressed && source) frame.view.selection.only(source_id);
+    if (!unwire) return;
+    std::string step = "Unwire " + title_of(node, library) + " " + std::string(socket);
+    frame.draft.done(step, graph::disconnect(document, node.id, socket));
+}
+
+void value_field(const Row& row)
+{
+    switch (row.parameter.kind) {
+        case ParameterKind::number:
+        case ParameterKind::angle:
+        case ParameterKind::integer: return number_row(row);
+        case ParameterKind::vec2:
+        case ParameterKind::vec3:
+        case ParameterKind::angles: return vector_row(row);
+        case ParameterKind::boolean: return boolean_row(row);
+        case ParameterKind::choice: return choice_row(row);
+        case ParameterKind::colour: return colour_row(row);
+        case ParameterKind::material: return material_row(row);
+        case ParameterKind::list: return list_row(row);
+    }
+}
+
+bool differs(const Row& row)
+{
+    const graph::Value* value = row.node.parameter(row.parameter.name);
+    return value && *value != row.parameter.initial;
+}
+
+int component_count(ParameterKind kind)
+{
+    if (kind == ParameterKind::vec2 || kind == ParameterKind::list) return 2;
+    return kind == ParameterKind::vec3 || kind == ParameterKind::angles ? 3 : 1;
+}
+
+// The unit too, where the fields do not show it.
+std::string label_of(const FrameContext& frame, const Parameter& parameter)
+{
+    int count = component_count(parameter.kind);
+    bool without_unit = count > 1 && !vector_is_stacked(frame.theme, count, usual_field_width(frame));
+    std::string unit = parameter.unit == "deg" ? "°" : parameter.unit;
+    return sentence_case(parameter.name) + (without_unit && !unit.empty() ? " (" + unit + ")" : "");
+}
+
+void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id, const Parameter& parameter)
+{
+    const graph::Node* node = frame.draft.document.root.find(id);
+    if (!node) return;
+    Row row{frame, std::string(path) + "/" + parameter.name, *node, parameter, label_of(frame, parameter)};
+    ImGui::PushID(parameter.name.c_str());
+    row.width_px = begin_row(frame, row.title, parameter_tip(parameter));
+    if (graph::NodeId source = node->input(parameter.name)) {
+        source_field(frame, row.path, *node, parameter.name, source, row.width_px);
+    } else {
+        value_field(row);
+        if (differs(row)) {
+            to_row_end(frame);
+            if (icon_button(frame, "reset", icon::undo, "Reset to the default")) row.write(parameter.initial, "Reset");
+            row.mark("reset");
+        }
+        if (parameter.kind == ParameterKind::list) {
+            auto points = value_of<graph::PointList>(row);
+            if (points_field(frame, row.path, parameter, points)) row.write(std::move(points));
+        }
+    }
+    ImGui::PopID();
+}
+
+std::string input_label(std::string_view socket)
+{
+    if (socket == "d") return "Field";
+    if (socket == "a") return "First field";
+    if (socket == "b") return "Second field";
+    return sentence_case(socket);
+}
+
+}  // namespace
+
+void parameter_rows(FrameContext& frame, std::string_view path, graph::NodeId id)
+{
+    const graph::Node* node = frame.draft.document.root.find(id);
+    const graph::NodeType* type = node ? frame.draft.library.type(node->type) : nullptr;
+    if (!type) return;
+    ImGui::PushID(static_cast<int>(id.number));
+    for (const Parameter& parameter : type->parameters) parameter_row(frame, path, id, parameter);
+    ImGui::PopID();
+}
+
+bool has_inputs(const graph::NodeType& type)
+{
+    return std::any_of(type.inputs.begin(), type.inputs.end(),
+                       [&](const graph::Socket& socket) { return !type.parameter(socket.name); });
+}
+
+void input_rows(FrameContext& frame, std::string_view path, graph::NodeId id)
+{
+    const graph::Node* node = frame.draft.document.root.find(id);
+    const graph::NodeType* type = node ? frame.draft.library.type(node->type) : nullptr;
+    if (!type) return;
+    ImGui::PushID(static_cast<int>(id.number));
+    for (const graph::Socket& socket : type->inputs) {
+        if (type->parameter(socket.name)) continue;
+        ImGui::PushID(socket.name.c_str());
+        float width = begin_row(frame, input_label(socket.name),
+                                "Takes a " + std::string(graph::socket_kind_name(socket.kind)) + ".");
+        std::string name = std::string(path) + "/input/" + socket.name;
+        if (graph::NodeId source = node->input(socket.name)) {
+            source_field(frame, name, *node, socket.name, source, width);
+        } else {
+            line_text(frame, "nothing wired", colour::quiet_text, width);
+            frame.rects.mark(name);
+        }
+        ImGui::PopID();
+        node = frame.draft.document.root.find(id);
+    }
+    ImGui::PopID();
+}
+
+void node_name_field(FrameContext& frame, std::string_view path, const graph::Node& node, float width_px)
+{
+    const graph::NodeType* type = frame.draft.library.type(node.type);
+    std::string name = node.name, before = title_of(node, frame.draft.library);
+    ImGui::PushID(static_cast<int>(node.id.number));
+    bool changed = name_field(frame, "##name", name, type ? type->title : node.type, width_px);
+    ImGui::PopID();
+    frame.rects.mark(path);
+    if (changed) frame.draft.done("Rename " + before, graph::rename_node(frame.draft.document, node.id, name));
+}
+
+void mute_button(FrameContext& frame, std::string_view path, const graph::Node& node)
+{
+    const char* shown = node.muted ? icon::eye_off : icon::eye;
+    std::string_view tip = node.muted ? "Muted: click to unmute" : "Mute: the scene is drawn without this node (M)";
+    bool pressed = icon_button(frame, "mute", shown, tip, node.muted ? colour::warning : colour::quiet_text);
+    frame.rects.mark(path);
+    if (!pressed) return;
+    std::string step = (node.muted ? "Unmute " : "Mute ") + title_of(node, frame.draft.library);
+    frame.draft.done(step, graph::set_muted(frame.draft.document, node.id, !node.muted));
+}
+
+}  // namespace fieldwright::ui

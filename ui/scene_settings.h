@@ -1,0 +1,11 @@
+// The scene's own numbers: how rays march, and occlusion.
+#pragma once
+
+#include "ui/frame_context.h"
+
+namespace fieldwright::ui {
+
+// Rows of every setting. Marks `path`/<setting> and `path`/<setting>/reset.
+void scene_settings(FrameContext& frame, std::string_view path);
+
+}  // namespace fieldwright::ui
