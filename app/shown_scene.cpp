@@ -16,8 +16,8 @@ const graph::Node* output_of(const graph::Document& document, const graph::Libra
     return nullptr;
 }
 
-std::optional<ui::Measured> measured(const graph::Document& document, const std::shared_ptr<const graph::Library>& library,
-                                     graph::NodeId root)
+std::optional<ui::Measured> measured(const graph::Document& document,
+                                     const std::shared_ptr<const graph::Library>& library, graph::NodeId root)
 {
     graph::LowerOptions options;
     options.bounds = true;

@@ -2,12 +2,12 @@
 #include "app/starter_scene.h"
 
 #include "field/evaluator.h"
+#include "graph/layout.h"
 #include "graph/program.h"
+#include "ui/node_geometry.h"
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <map>
 
 namespace fieldwright::app {
 
@@ -201,18 +201,11 @@ void StarterScene::aim_camera()
 // Columns by the longest way to the output, rows in the order of making.
 void StarterScene::lay_out()
 {
-    std::map<NodeId, int> column;
-    std::function<void(NodeId, int)> visit = [&](NodeId id, int depth) {
-        column[id] = std::max(column[id], depth);
-        for (const auto& [socket, source] : document.root.find(id)->inputs) visit(source, depth + 1);
+    auto size_px = [&](NodeId id) {
+        const Node& node = *document.root.find(id);
+        return ui::node_size(node, library_->type(node.type));
     };
-    visit(output_, 0);
-    std::map<int, int> rows;
-    for (const Node& node : std::vector<Node>(document.root.nodes)) {
-        int depth = column.contains(node.id) ? column[node.id] : 1;
-        require(graph::move_node(document, node.id,
-                                 {-220.0f * static_cast<float>(depth), 120.0f * static_cast<float>(rows[depth]++)}));
-    }
+    require(graph::arrange(document, {}, size_px));
 }
 
 }  // namespace fieldwright::app

@@ -92,7 +92,9 @@ void Window::push(ui::InputEvent event)
 void Window::connect_input()
 {
     glfwSetWindowUserPointer(window_, this);
-    static constexpr auto self = [](GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); };
+    static constexpr auto self = [](GLFWwindow* window) {
+        return static_cast<Window*>(glfwGetWindowUserPointer(window));
+    };
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
         self(window)->push({.kind = Kind::move, .at = {static_cast<float>(x), static_cast<float>(y)}});
     });
@@ -141,7 +143,7 @@ void Window::update_theme()
 
 void Window::wait(double seconds)
 {
-    if (!touched_ && input.empty() && seconds > 0) glfwWaitEventsTimeout(seconds);
+    if (seconds > 0) glfwWaitEventsTimeout(seconds);
     else glfwPollEvents();
 }
 

@@ -12,9 +12,12 @@ namespace fieldwright::app {
 namespace {
 
 constexpr double frame_s = 1.0 / 60;  // while something moves
-constexpr double lively_s = 0.35;     // frames go on this long after the last input: fades, hovering, framing
-constexpr double settling_s = 0.15;   // a hand this long at rest gets a picture in full
-constexpr double idle_s = 1;          // autosave and the like look this often
+constexpr double frame_share =
+    0.5;                           // of the time, at most: the rest is the picture's, which is drawn on the same cores
+constexpr double script_s = 0.05;  // between the looks of a script at a window at rest
+constexpr double lively_s = 0.35;  // frames go on this long after the last input: fades, hovering, framing
+constexpr double settling_s = 0.15;  // a hand this long at rest gets a picture in full
+constexpr double idle_s = 1;         // autosave and the like look this often
 constexpr double watch_s = FolderWatch::interval_s;
 constexpr double blink_s = 0.4;  // of the text cursor
 
@@ -40,8 +43,14 @@ renderer::ViewCamera renderer_camera(const ui::ViewCamera& camera)
 
 bool same_picture(const renderer::PictureRequest& a, const renderer::PictureRequest& b)
 {
-    return a.program == b.program && a.frame == b.frame && a.view == b.view && a.stereo == b.stereo &&
-           a.interacting == b.interacting;
+    return a.program == b.program && a.frame == b.frame && a.view == b.view && a.stereo == b.stereo;
+}
+
+// "cpu", or "gpu" with the driver's own name for it.
+std::string device_words(const renderer::RenderStatus& status)
+{
+    std::string device = status.device;
+    return device == "gpu" ? device + " " + status.gpu.substr(0, status.gpu.find_first_of("(,/")) : device;
 }
 
 std::string when_text(std::int64_t time_s)
@@ -80,8 +89,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
     if (!options.scene.empty()) session_.open(options.scene);
     if (!options.scene.empty()) attempt([&] { recent_.add(*session_.path()); });
     scene_replaced();
-    for (const Recovery& recovery : autosave_.recoverable())
-        readings_.recovered.push_back({recovery.id, recovery.title, when_text(recovery.time_s)});
+    list_recoverable();
 }
 
 template <typename Action>
@@ -119,7 +127,7 @@ int Workbench::run()
         for (const std::string& path : window_.dropped_files()) editor_.ask(ui::OpenFile{path});
         if (window_.close_asked()) editor_.ask_quit();
         if (window_.was_touched()) last_touch_s_ = now_s();
-        if (something_moves()) frame();
+        if (something_moves() && now_s() >= next_frame_s()) frame();
     }
     remember_view();
     attempt([&] { state_.save(); });
@@ -133,14 +141,17 @@ bool Workbench::something_moves() const
     bool lively = now_s() - last_touch_s_ < lively_s || !window_.input.empty();
     bool blinking = ImGui::GetIO().WantTextInput && now_s() - last_frame_s_ >= blink_s;
     bool due = redraw_at_s_ && now_s() >= *redraw_at_s_;
-    return window_.visible() && (lively || blinking || due || editor_.view.playing || script_);
+    bool played = script_ && now_s() - last_frame_s_ >= script_s;
+    return window_.visible() && (lively || blinking || due || played || editor_.view.playing);
 }
+
+double Workbench::next_frame_s() const { return last_frame_s_ + std::max(frame_s, frame_length_s_ / frame_share); }
 
 // How long the window may sleep when nothing comes in.
 double Workbench::patience_s() const
 {
-    if (something_moves()) return std::max(0.0, frame_s - (now_s() - last_frame_s_));
-    if (dialog_.is_open()) return 0.05;
+    if (something_moves()) return std::max(0.0, next_frame_s() - now_s());
+    if (dialog_.is_open() || script_) return script_s;
     double patience = ImGui::GetIO().WantTextInput ? blink_s : watch_ ? watch_s : idle_s;
     return redraw_at_s_ ? std::clamp(*redraw_at_s_ - now_s(), 0.0, patience) : patience;
 }
@@ -165,7 +176,8 @@ void Workbench::frame()
     for (const ui::Request& request : output.requests) perform(request);
     if (output.hands_moving || output.document_changed || editor_.viewport().moving()) last_touch_s_ = now;
     redraw_at_s_ = output.redraw_in_s ? std::optional(now + *output.redraw_in_s) : std::nullopt;
-    request_picture(output.hands_moving || view.playing);
+    request_picture(output.hands_moving);
+    frame_length_s_ = now_s() - now;
 }
 
 void Workbench::watch_shaders()
@@ -193,6 +205,9 @@ void Workbench::fill_readings()
     readings_.picture.texture = picture_.texture();
     readings_.picture.width = picture_.size().x;
     readings_.picture.height = picture_.size().y;
+    renderer::RenderStatus rendering = render_thread_.status();
+    readings_.picture.compiling = rendering.compiling;
+    readings_.picture.device = device_words(rendering);
     readings_.step_names = session_.history().names();
     readings_.step = session_.history().step();
     readings_.file_name = session_.name();
@@ -217,7 +232,6 @@ void Workbench::take_result()
         picture_.show(drawn->picture, drawn->frame);
         reading.full = drawn->final;
         reading.draw_ms = static_cast<float>(drawn->ms);
-        reading.device = drawn->device;
         reading.mean_steps = static_cast<float>(drawn->steps.mean);
         reading.max_steps = drawn->steps.largest;
         reading.exhausted_share = static_cast<float>(drawn->steps.exhausted);
@@ -229,26 +243,33 @@ void Workbench::take_result()
     }
 }
 
-void Workbench::request_picture(bool interacting)
+void Workbench::request_picture(bool hands_moving)
 {
-    glm::ivec2 size = editor_.viewport_size_px();
-    if (size.x < 8 || size.y < 8) return;
+    renderer::PictureRequest request = wanted_picture();
+    if (request.frame.width < 8 || request.frame.height < 8) return;
+    if (!requested_ || !same_picture(*requested_, request)) last_change_s_ = now_s();
+    // A hand that holds still, or types, waits for the whole picture.
+    request.interacting = editor_.view.playing || (hands_moving && now_s() - last_change_s_ < settling_s);
+    if (requested_ && same_picture(*requested_, request) && requested_->interacting == request.interacting) return;
+    request.generation = requested_ ? requested_->generation + 1 : 1;
+    requested_ = request;
+    render_thread_.request(request);
+}
+
+renderer::PictureRequest Workbench::wanted_picture() const
+{
     const ui::ViewState& view = editor_.view;
     renderer::PictureRequest request;
     request.program = scene_.program();
-    request.frame.width = size.x;
-    request.frame.height = size.y;
+    request.frame.width = editor_.viewport_size_px().x;
+    request.frame.height = editor_.viewport_size_px().y;
     request.frame.time = static_cast<float>(view.time_s);
     request.frame.interaxial = view.interaxial;
     request.frame.convergence = view.convergence;
     if (!view.through_camera || !scene_.has_camera()) request.frame.camera = renderer_camera(view.camera);
     request.view = renderer::view_from_name(view.view).value_or(renderer::View::beauty);
     request.stereo = renderer::stereo_from_name(view.stereo).value_or(renderer::Stereo::off);
-    request.interacting = interacting;
-    if (requested_ && same_picture(*requested_, request)) return;
-    request.generation = requested_ ? requested_->generation + 1 : 1;
-    requested_ = request;
-    render_thread_.request(request);
+    return request;
 }
 
 void Workbench::perform(const ui::Request& request)
@@ -267,13 +288,30 @@ void Workbench::perform(const ui::Request& request)
     if (std::holds_alternative<ui::Undo>(request)) restored(session_.undo());
     if (std::holds_alternative<ui::Redo>(request)) restored(session_.redo());
     if (auto* jump = std::get_if<ui::JumpTo>(&request)) restored(session_.jump(jump->step));
-    if (auto* wanted = std::get_if<ui::Recover>(&request))
-        for (const Recovery& recovery : autosave_.recoverable())
-            if (recovery.id == wanted->id && attempt([&] { autosave_.recover(recovery, session_); })) scene_replaced();
-    if (auto* unwanted = std::get_if<ui::DiscardRecovered>(&request))
-        for (const Recovery& recovery : autosave_.recoverable())
-            if (recovery.id == unwanted->id) attempt([&] { autosave_.discard(recovery); });
+    if (auto* wanted = std::get_if<ui::Recover>(&request)) recover(wanted->id);
+    if (auto* unwanted = std::get_if<ui::DiscardRecovered>(&request)) discard_recovered(unwanted->id);
     if (std::holds_alternative<ui::Quit>(request)) quit_ = true;
+}
+
+void Workbench::list_recoverable()
+{
+    readings_.recovered.clear();
+    for (const Recovery& recovery : autosave_.recoverable())
+        readings_.recovered.push_back({recovery.id, recovery.title, when_text(recovery.time_s)});
+}
+
+void Workbench::recover(const std::string& id)
+{
+    for (const Recovery& recovery : autosave_.recoverable())
+        if (recovery.id == id && attempt([&] { autosave_.recover(recovery, session_); })) scene_replaced();
+    list_recoverable();
+}
+
+void Workbench::discard_recovered(const std::string& id)
+{
+    for (const Recovery& recovery : autosave_.recoverable())
+        if (recovery.id == id) attempt([&] { autosave_.discard(recovery); });
+    list_recoverable();
 }
 
 void Workbench::choose(const ui::ChooseFile& request)

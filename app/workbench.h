@@ -38,11 +38,13 @@ private:
     double now_s() const;
     void frame();
     bool something_moves() const;
+    double next_frame_s() const;
     double patience_s() const;
     void watch_shaders();
     void fill_readings();
     void take_result();
-    void request_picture(bool interacting);
+    void request_picture(bool hands_moving);
+    renderer::PictureRequest wanted_picture() const;
     void perform(const ui::Request& request);
     void choose(const ui::ChooseFile& request);
     void answer_dialog();
@@ -51,6 +53,9 @@ private:
     void save(const std::optional<std::filesystem::path>& path);
     void export_shader(const ui::ExportFile& request);
     void export_picture(const std::filesystem::path& path);
+    void list_recoverable();
+    void recover(const std::string& id);
+    void discard_recovered(const std::string& id);
     void scene_replaced();
     void play_script();
     void remember_view();
@@ -82,7 +87,7 @@ private:
     std::optional<std::filesystem::path> picture_wanted_;  // to be written when the picture is finished
     std::string reload_error_, compile_error_;
     bool quit_ = false;
-    double last_frame_s_ = 0, last_touch_s_ = 0;
+    double last_frame_s_ = 0, frame_length_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything
     std::optional<renderer::PictureRequest> requested_;
 };

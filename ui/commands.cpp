@@ -59,7 +59,7 @@ const std::vector<Command>& fixed_commands()
     static const std::vector<Command> list = [] {
         std::vector<Command> commands;
         append_file_commands(commands, {});
-        append_edit_commands(commands);
+        append_edit_commands(commands, {});
         append_view_commands(commands, {});
         append_render_commands(commands);
         append_help_commands(commands);
@@ -74,7 +74,7 @@ std::vector<Command> commands(const Readings& readings, const graph::Library& li
 {
     std::vector<Command> list;
     append_file_commands(list, readings);
-    append_edit_commands(list);
+    append_edit_commands(list, readings);
     append_add_commands(list, library);
     append_view_commands(list, readings);
     append_render_commands(list);

@@ -70,12 +70,18 @@ void duplicate(CommandContext& context, graph::Incoming incoming)
                                        incoming));
 }
 
-void append_history(std::vector<Command>& list)
+std::string step_sentence(const char* verb, const Readings& readings, std::size_t step)
+{
+    bool there = step > 0 && step < readings.step_names.size();
+    return there ? std::string(verb) + ": " + readings.step_names[step] + "." : std::string(verb) + " a step.";
+}
+
+void append_history(std::vector<Command>& list, const Readings& readings)
 {
     list.push_back({.id = "edit.undo",
                     .title = "Undo",
                     .menu = "Edit",
-                    .help = "Takes the last step back.",
+                    .help = step_sentence("Takes back", readings, readings.step),
                     .icon = icon::undo,
                     .shortcuts = {{.key = 'Z', .control = true, .repeats = true}},
                     .enabled = [](const CommandContext& context) { return context.frame.readings.step > 0; },
@@ -83,14 +89,13 @@ void append_history(std::vector<Command>& list)
     list.push_back({.id = "edit.redo",
                     .title = "Redo",
                     .menu = "Edit",
-                    .help = "Makes the step again that was taken back.",
+                    .help = step_sentence("Makes again", readings, readings.step + 1),
                     .icon = icon::redo,
                     .shortcuts = {{.key = 'Z', .control = true, .shift = true, .repeats = true},
                                   {.key = 'Y', .control = true, .repeats = true}},
                     .enabled =
                         [](const CommandContext& context) {
-                            const Readings& readings = context.frame.readings;
-                            return readings.step + 1 < readings.step_names.size();
+                            return context.frame.readings.step + 1 < context.frame.readings.step_names.size();
                         },
                     .run = [](CommandContext& context) { context.frame.requests.push_back(Redo{}); }});
 }
@@ -254,9 +259,9 @@ void append_selection(std::vector<Command>& list)
 
 }  // namespace
 
-void append_edit_commands(std::vector<Command>& list)
+void append_edit_commands(std::vector<Command>& list, const Readings& readings)
 {
-    append_history(list);
+    append_history(list, readings);
     append_clipboard(list);
     append_removal(list);
     append_node(list);

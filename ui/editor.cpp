@@ -74,7 +74,8 @@ Editor::Output Editor::draw(graph::Document& document, const graph::Library& lib
     if (output.document_changed) pending_step_ = draft.step;
     output.hands_moving = !hands_free();
     // From a text field straight to another widget: the first gesture has ended though hands go on moving.
-    bool handed_over = std::exchange(active_item_, ImGui::GetActiveID()) != ImGui::GetActiveID() && draft.step.empty();
+    ImGuiID before = std::exchange(active_item_, ImGui::GetActiveID());
+    bool handed_over = before && before != active_item_ && draft.step.empty();
     if (!output.hands_moving || handed_over) output.settled_step = std::exchange(pending_step_, {});
     if (auto at_s = status_line_.changes_at_s()) output.redraw_in_s = std::max(*at_s - now_s, 0.0);
     return output;

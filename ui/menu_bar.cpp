@@ -19,6 +19,14 @@ std::string next_level(const std::string& menu, const std::string& path)
     return menu.substr(path.size() + 1, menu.find('/', path.size() + 1) - path.size() - 1);
 }
 
+// A submenu of Add says "Torus", not "Add torus" again.
+std::string title_in(const std::string& path, const std::string& title)
+{
+    std::size_t slash = path.find('/');
+    if (slash == std::string::npos || !title.starts_with(path.substr(0, slash) + ' ')) return title;
+    return in_words(title.substr(slash + 1));
+}
+
 float text_width(const char* text) { return ImGui::CalcTextSize(text).x; }
 
 }  // namespace
@@ -90,21 +98,25 @@ void MenuBar::draw_entries(const std::string& path)
         std::string level = next_level(command.menu, path);
         if (level.empty() || std::find(seen.begin(), seen.end(), level) != seen.end()) continue;
         seen.push_back(level);
+        if (command.separator && !first) draw_separator();
         draw_menu(level, path + "/" + level);
         first = false;
     }
 }
 
+void MenuBar::draw_separator() const
+{
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, context_->frame.theme.px(5)});
+    ImGui::Separator();
+    ImGui::PopStyleVar();
+}
+
 void MenuBar::draw_entry(const Command& command, const std::string& path, bool first)
 {
     FrameContext& frame = context_->frame;
-    if ((command.separator || command.also_in == path) && !first) {
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, frame.theme.px(5)});
-        ImGui::Separator();
-        ImGui::PopStyleVar();
-    }
+    if ((command.separator || command.also_in == path) && !first) draw_separator();
     ImGui::PushID(command.id.c_str());
-    if (ImGui::MenuItemEx(command.title.c_str(), command.icon, first_shortcut_text(command).c_str(),
+    if (ImGui::MenuItemEx(title_in(path, command.title).c_str(), command.icon, first_shortcut_text(command).c_str(),
                           command.is_checked(*context_), command.is_enabled(*context_)))
         chosen_ = command.id;
     frame.rects.mark("menu/" + command.id);

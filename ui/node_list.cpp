@@ -86,6 +86,7 @@ void NodeList::draw(FrameContext& frame, std::string_view heading, std::string_v
     if (ids.empty()) {
         ImGui::PushFont(frame.theme.fonts.text);
         empty_state(frame, kind_icon(kind_), when_empty);
+        offer(frame);
         ImGui::PopFont();
     }
     graph::NodeId active = frame.view.selection.active();
@@ -115,6 +116,20 @@ void NodeList::heading_row(FrameContext& frame, std::string_view heading)
         add_menu(frame);
         ImGui::EndPopup();
     }
+}
+
+// An empty list of materials offers one for the shape at hand.
+void NodeList::offer(FrameContext& frame)
+{
+    graph::NodeId active = frame.view.selection.active();
+    if (kind_ != graph::SocketKind::material || !is_field(frame.draft.document, frame.draft.library, active)) return;
+    std::string label = std::string(icon::add) + "  Add a material to " +
+                        title_of(*frame.draft.document.root.find(active), frame.draft.library);
+    float room = ImGui::GetContentRegionAvail().x;
+    float width = std::min(ImGui::CalcTextSize(label.c_str()).x + frame.theme.px(28), room);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::floor(0.5f * (room - width)));
+    if (text_button(frame, "offer", label, width)) ImGui::OpenPopup("add menu");
+    frame.rects.mark(path_ + "/offer");
 }
 
 void NodeList::add_menu(FrameContext& frame)

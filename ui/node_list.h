@@ -23,6 +23,7 @@ public:
 private:
     bool lists(const graph::NodeType* type) const { return type && type->output == kind_; }
     void heading_row(FrameContext& frame, std::string_view heading);
+    void offer(FrameContext& frame);
     void add_menu(FrameContext& frame);
     void add(FrameContext& frame, const graph::NodeType& type);
     void row(FrameContext& frame, graph::NodeId id);

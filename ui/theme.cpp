@@ -102,32 +102,6 @@ void set_colours(ImVec4* colours)
     set({ImGuiCol_ModalWindowDimBg, ImGuiCol_NavWindowingDimBg}, rgb(0x000000, 140));
 }
 
-void set_style(float scale)
-{
-    ImGuiStyle style;
-    style.WindowPadding = {8, 8};
-    style.FramePadding = {8, 4};  // with Inter 14: rows of 24
-    style.ItemSpacing = {8, 4};
-    style.ItemInnerSpacing = {4, 4};
-    style.CellPadding = {4, 2};
-    style.IndentSpacing = 12;
-    style.ScrollbarSize = 10;
-    style.GrabMinSize = 8;
-    style.WindowRounding = style.PopupRounding = 6;
-    style.ChildRounding = 0;
-    style.FrameRounding = style.GrabRounding = style.TabRounding = 4;
-    style.ScrollbarRounding = 5;
-    style.WindowBorderSize = style.ChildBorderSize = 0;
-    style.PopupBorderSize = 1;
-    style.FrameBorderSize = style.TabBorderSize = 0;
-    style.WindowTitleAlign = {0, 0.5f};
-    style.WindowMenuButtonPosition = ImGuiDir_None;
-    style.DisabledAlpha = 0.45f;
-    style.ScaleAllSizes(scale);
-    set_colours(style.Colors);
-    ImGui::GetStyle() = style;
-}
-
 // OKLCH to sRGB, for headers of one lightness and chroma (B. Ottosson, "A perceptual color space", 2020).
 ImU32 oklch(float lightness, float chroma, float hue_deg)
 {
@@ -180,6 +154,32 @@ ImU32 socket_colour(graph::SocketKind kind)
         case SocketKind::none: break;
     }
     return colour::quiet_text;
+}
+
+void set_style(float scale)
+{
+    ImGuiStyle style;
+    style.WindowPadding = {8, 8};
+    style.FramePadding = {8, 4};  // with Inter 14: rows of 24
+    style.ItemSpacing = {8, 4};
+    style.ItemInnerSpacing = {4, 4};
+    style.CellPadding = {4, 2};
+    style.IndentSpacing = 12;
+    style.ScrollbarSize = 10;
+    style.GrabMinSize = 8;
+    style.WindowRounding = style.PopupRounding = 6;
+    style.ChildRounding = 0;
+    style.FrameRounding = style.GrabRounding = style.TabRounding = 4;
+    style.ScrollbarRounding = 5;
+    style.WindowBorderSize = style.ChildBorderSize = 0;
+    style.PopupBorderSize = 1;
+    style.FrameBorderSize = style.TabBorderSize = 0;
+    style.WindowTitleAlign = {0, 0.5f};
+    style.WindowMenuButtonPosition = ImGuiDir_None;
+    style.DisabledAlpha = 0.45f;
+    style.ScaleAllSizes(scale);
+    set_colours(style.Colors);
+    ImGui::GetStyle() = style;
 }
 
 Theme make_theme(float scale)

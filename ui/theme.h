@@ -61,6 +61,7 @@ struct Theme {
 
 // Fills the atlas of the current ImGui context and sets its style. Call between frames, when the scale changes.
 Theme make_theme(float scale);
+void set_style(float scale);  // of the current ImGui context; make_theme does it too
 
 // The font for text `size_px` high on the canvas, and the scale to push with it.
 struct SizedFont {

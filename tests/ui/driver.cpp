@@ -10,20 +10,43 @@ namespace {
 
 using Kind = ui::InputEvent::Kind;
 
+// Letters are drawn once for all tests of a program.
+struct SharedFonts {
+    ImFontAtlas atlas;
+    ui::Theme theme;
+
+    SharedFonts()
+    {
+        ImGuiContext* context = ImGui::CreateContext(&atlas);
+        theme = ui::make_theme(1);
+        unsigned char* pixels;
+        int width, height;
+        atlas.GetTexDataAsAlpha8(&pixels, &width, &height);
+        ImGui::DestroyContext(context);
+    }
+};
+
+SharedFonts& shared_fonts()
+{
+    static SharedFonts fonts;
+    return fonts;
+}
+
 }  // namespace
 
 Driver::Driver(graph::Document start, glm::vec2 size_px)
-    : library(graph::Library::embedded()), document(std::move(start)), context_(ImGui::CreateContext())
+    : library(graph::Library::embedded()),
+      document(std::move(start)),
+      context_(ImGui::CreateContext(&shared_fonts().atlas)),
+      theme_(shared_fonts().theme)
 {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = io.LogFilename = nullptr;
     io.DisplaySize = ImVec2(size_px.x, size_px.y);
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     ui::map_keys(io);
-    theme_ = ui::make_theme(1);
-    unsigned char* pixels;
-    int width, height;
-    io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+    ui::set_style(theme_.scale);
+    io.FontDefault = theme_.fonts.text;
     editor.rects.listening = true;
     readings.view_names = {"beauty", "steps", "normal", "depth", "id"};
     readings.stereo_names = {"off", "naive", "dubois"};

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <random>
 
 namespace fieldwright::tests {
 namespace {
@@ -155,6 +156,18 @@ TEST(MaterialsPanel, a_material_added_on_a_selected_shape_paints_it)
     EXPECT_EQ(graph::validate(driver.document, *driver.library), std::nullopt);
 }
 
+TEST(MaterialsPanel, an_empty_list_offers_one_for_the_selected_shape)
+{
+    OnPanel driver(Panel::materials);
+    EXPECT_FALSE(driver.shows("panel/materials/offer"));
+    driver.editor.view.selection.only(node_of(driver.document, "sphere"));
+    driver.frames(2);
+    driver.click("panel/materials/offer");
+    driver.click("panel/materials/add/phong");
+    EXPECT_TRUE(node_of(driver.document, "paint"));
+    EXPECT_EQ(driver.steps.back().second, "Add Phong to Sphere");
+}
+
 TEST(MaterialsPanel, a_material_added_on_nothing_stands_alone)
 {
     OnPanel driver(Panel::materials);
@@ -252,16 +265,20 @@ TEST(ShaderPanel, a_long_shader_draws_only_what_is_in_view)
     EXPECT_LT(vertices(), 30000);
 }
 
-TEST(ProblemsPanel, a_click_selects_the_node_and_asks_for_it)
+TEST(ProblemsPanel, a_click_selects_the_node_and_shows_it)
 {
     OnPanel driver(Panel::problems);
     NodeId sphere = node_of(driver.document, "sphere");
     driver.readings.problems = {{{}, "has no output", graph::Problem::Severity::note},
                                 {sphere, "is broken", graph::Problem::Severity::error}};
+    driver.editor.view.canvas.pan_px = {-9000, -9000};
     driver.frames(2);
+    std::string name = "canvas/node/" + std::to_string(sphere.number);
+    ASSERT_LT(driver.place(name).x, 0);
     driver.click("panel/problems/1");
     EXPECT_EQ(driver.editor.view.selection.active(), sphere);
-    EXPECT_EQ(driver.editor.view.frame_request, sphere);
+    driver.frames(60);
+    EXPECT_GT(driver.place(name).x, 0);
 }
 
 TEST(HistoryPanel, a_click_jumps_to_the_step)
@@ -280,6 +297,40 @@ TEST(HistoryPanel, a_click_jumps_to_the_step)
     EXPECT_EQ(driver.step, 2u);
     driver.click("panel/history/0");
     EXPECT_EQ(driver.document, driver.steps[0].first);
+}
+
+// Anything a hand may do on the right column leaves a valid document whose steps undo.
+TEST(RightColumn, random_hands_leave_a_valid_document)
+{
+    OnPanel driver(Panel::materials);
+    driver.editor.view.panes.inspector_share = 0.5f;
+    std::mt19937 random(7);
+    auto below = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };
+    const int keys[] = {ui::key::enter, ui::key::escape, ui::key::tab, ui::key::backspace};
+    int edits = 0;
+    for (int i = 0; i < 1500; ++i) {
+        graph::Document before = driver.document;
+        // Mostly on a widget.
+        glm::vec2 at(900 + below(380), 28 + below(950));
+        if (const auto& rects = driver.editor.rects.all(); below(4))
+            at = std::next(rects.begin(), below(static_cast<int>(rects.size())))->second.centre();
+        glm::vec2 to = at + glm::vec2(below(160) - 80, below(40) - 20);
+        const auto& nodes = driver.document.root.nodes;
+        switch (below(8)) {
+            case 0: driver.drag(at, to, 0, 2); break;
+            case 1: driver.double_click(at); break;
+            case 2: driver.type(below(2) ? "0.5" : "-x9"); break;
+            case 3: driver.key(keys[below(4)]); break;
+            case 4: driver.editor.view.panel = static_cast<Panel>(below(8)); break;
+            case 5:
+                if (!nodes.empty()) driver.editor.view.selection.only(nodes[random() % nodes.size()].id);
+                break;
+            default: driver.click(at); break;
+        }
+        ASSERT_EQ(graph::validate(driver.document, *driver.library), std::nullopt) << "after event " << i;
+        edits += driver.document != before;
+    }
+    EXPECT_GT(edits, 50);
 }
 
 std::vector<std::pair<std::string, ui::GlslKind>> words(std::string_view line, bool open = false)
