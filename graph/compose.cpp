@@ -216,6 +216,19 @@ std::vector<std::string> exchangeable(const NodeType& type)
     return names;
 }
 
+// What a node is united with and with nothing else: a shape that was added a moment ago is united with all the rest, and a
+// combiner put on it is meant for both. NodeId{} when there is none.
+NodeId union_partner(const Document& document, NodeId node)
+{
+    Readers readers(document.root);
+    std::span<const Wire> read = readers.of(node);
+    if (read.size() != 1) return {};
+    const Node& reader = *document.root.find(read[0].target);
+    if (reader.type != known_types::union_of_two || reader.inputs.size() != 2) return {};
+    NodeId partner = reader.inputs[0].second == node ? reader.inputs[1].second : reader.inputs[0].second;
+    return partner == node ? NodeId{} : partner;
+}
+
 }  // namespace
 
 Placed add_from_menu(Document& document, const Library& library, std::string_view name, glm::vec2 position,
@@ -227,8 +240,11 @@ Placed add_from_menu(Document& document, const Library& library, std::string_vie
     auto is_field_node = [&](NodeId id) { return carries_field(offer_of(document, library, id).kind); };
     bool on_fields = !selection.empty() && std::all_of(selection.begin(), selection.end(), is_field_node);
     std::size_t inputs = field_inputs(*type).size();
-    if (is_operator(*type) && on_fields && selection.size() == 1)
-        return insert_after(document, library, name, selection[0]);
+    if (is_operator(*type) && on_fields && selection.size() == 1) {
+        NodeId partner = inputs == 2 ? union_partner(document, selection[0]) : NodeId{};
+        return partner ? combine(document, library, name, partner, selection[0])
+                       : insert_after(document, library, name, selection[0]);
+    }
     if (is_operator(*type) && on_fields && selection.size() == 2 && inputs == 2)
         return combine(document, library, name, selection[0], selection[1]);
     return add_alone(document, library, name, position);

@@ -16,7 +16,8 @@ struct Placed {
 inline constexpr float column_px = 220;
 
 // Adds what the add menu offers: a shape joins the output, an operator goes after the one selected node, a type with
-// two field inputs combines the two selected ones, anything else stands alone. `place`: where in the world, of shapes.
+// two field inputs combines the two selected ones, or takes the place of the union that the one selected node is in;
+// anything else stands alone. `place`: where in the world, of shapes.
 Placed add_from_menu(Document& document, const Library& library, std::string_view type, glm::vec2 position,
                      const std::vector<NodeId>& selection, std::optional<glm::vec3> place = {});
 // A node alone, as add_node, but with the reason when it refuses. A scene has one output.

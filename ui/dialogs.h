@@ -10,8 +10,8 @@ namespace fieldwright::ui {
 class Dialogs {
 public:
     void show_about() { about_ = true; }
-    // Takes requests that would lose something out of the list and asks about them first. `busy_saving`: a file dialog
-    // is up.
+    // Takes requests that would lose something out of the list and asks about them first. Call each frame;
+    // `choosing_file`: the file browser is up.
     void hold_back(std::vector<Request>& requests, const Readings& readings, bool choosing_file);
     void draw(FrameContext& frame);
     // A question waits for its answer; nothing else may be in the way.

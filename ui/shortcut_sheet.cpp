@@ -18,8 +18,8 @@ struct Gesture {
     const char *hand, *place, *what;
 };
 constexpr Gesture gestures[] = {
-    {"Drag", "viewport", "Orbit"},
-    {"Shift+drag, middle drag", "viewport", "Pan"},
+    {"Drag, middle drag", "viewport", "Orbit"},
+    {"Shift+drag", "viewport", "Pan"},
     {"Ctrl+drag, wheel", "viewport", "Come closer"},
     {"Click", "viewport", "Select what is seen"},
     {"Drag", "canvas", "Select in a box"},
@@ -29,6 +29,7 @@ constexpr Gesture gestures[] = {
     {"Drop on a wire", "canvas", "Insert; Alt: do not"},
     {"Ctrl+right drag", "canvas", "Cut wires"},
     {"Alt+click a pin", "canvas", "Remove its wires"},
+    {"Right click", "canvas", "Open a menu"},
 };
 
 struct Row {

@@ -293,6 +293,20 @@ TEST_F(Compose, the_add_menu_does_what_the_selection_asks_for)
     EXPECT_EQ(source(only("output"), "d"), paint);
 }
 
+TEST_F(Compose, a_combiner_put_on_a_shape_just_added_takes_the_place_of_its_union)
+{
+    NodeId box = done(add_from_menu(document, library, "box", {0, 0}, {}));
+    NodeId torus = done(add_from_menu(document, library, "torus", {0, 200}, {}));
+    NodeId cut = done(add_from_menu(document, library, "smooth_subtract", {0, 0}, {torus}));
+    EXPECT_EQ(source(only("output"), "d"), cut);
+    EXPECT_EQ(source(cut, "a"), box);
+    EXPECT_EQ(source(cut, "b"), torus) << "the selected shape is what is taken away";
+    EXPECT_EQ(count(), 4u) << "no union is left";
+    NodeId blend = done(add_from_menu(document, library, "smooth_union", {0, 0}, {cut}));
+    EXPECT_EQ(source(blend, "a"), cut) << "in no union: it goes after the node";
+    EXPECT_FALSE(source(blend, "b"));
+}
+
 TEST_F(Compose, a_node_dropped_on_a_wire_is_wired_into_it)
 {
     NodeId box = scene.node("box"), ball = scene.node("sphere"), output = scene.show(box);
