@@ -2,6 +2,7 @@
 #include "app/workbench.h"
 
 #include "app/library_reload.h"
+#include "app/view_memory.h"
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
 #include "graph/scene_file.h"
@@ -12,25 +13,13 @@ namespace fieldwright::app {
 namespace {
 
 constexpr double frame_s = 1.0 / 60;  // while something moves
-constexpr double frame_share =
-    0.5;                           // of the time, at most: the rest is the picture's, which is drawn on the same cores
-constexpr double script_s = 0.05;  // between the looks of a script at a window at rest
-constexpr double lively_s = 0.35;  // frames go on this long after the last input: fades, hovering, framing
-constexpr double settling_s = 0.15;  // a hand this long at rest gets a picture in full
-constexpr double idle_s = 1;         // autosave and the like look this often
+constexpr double frame_share = 0.5;   // of the time, at most: the picture is drawn on the same cores
+constexpr double script_s = 0.05;     // between the looks of a script at a window at rest
+constexpr double lively_s = 0.35;     // frames go on this long after the last input: fades, hovering, framing
+constexpr double settling_s = 0.15;   // a hand this long at rest gets a picture in full
+constexpr double idle_s = 1;          // autosave and the like look this often
 constexpr double watch_s = FolderWatch::interval_s;
 constexpr double blink_s = 0.4;  // of the text cursor
-
-const char* dialog_title(ui::ChooseFile::Then then)
-{
-    switch (then) {
-        case ui::ChooseFile::Then::open: return "Open scene";
-        case ui::ChooseFile::Then::save_as: return "Save scene as";
-        case ui::ChooseFile::Then::export_shader: return "Export shader";
-        case ui::ChooseFile::Then::export_picture: return "Export picture";
-    }
-    return "";
-}
 
 renderer::ViewCamera renderer_camera(const ui::ViewCamera& camera)
 {
@@ -53,14 +42,12 @@ std::string device_words(const renderer::RenderStatus& status)
     return device == "gpu" ? device + " " + status.gpu.substr(0, status.gpu.find_first_of("(,/")) : device;
 }
 
-std::string when_text(std::int64_t time_s)
+// Before there is a window: a scene that cannot be opened is the command line's error.
+EditSession opened_session(const WorkbenchOptions& options)
 {
-    std::time_t time = time_s;
-    std::tm local{};
-    localtime_r(&time, &local);
-    char text[64];
-    std::strftime(text, sizeof text, "%d %B, %H:%M", &local);
-    return text;
+    EditSession session(options.shaders.empty() ? graph::Library::embedded() : graph::Library::load(options.shaders));
+    if (!options.scene.empty()) session.open(options.scene);
+    return session;
 }
 
 }  // namespace
@@ -70,7 +57,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
       folders_(options.state.empty() ? user_folders() : user_folders(options.state)),
       state_(folders_.state / "window.json"),
       recent_(folders_.state / "recent.json"),
-      session_(options.shaders.empty() ? graph::Library::embedded() : graph::Library::load(options.shaders)),
+      session_(opened_session(options)),
       autosave_(folders_.state / "autosave", [this] { return now_s(); }),
       window_("Fieldwright", options.size),
       render_thread_({.on_ready = Window::wake})
@@ -85,15 +72,13 @@ Workbench::Workbench(const WorkbenchOptions& options)
     readings_.node_at = [this](int x, int y) { return picture_.node_at(x, y); };
     readings_.depth_at = [this](int x, int y) { return picture_.depth_at(x, y); };
     readings_.bounds_of = [this](graph::NodeId node) { return scene_.bounds_of(node); };
-    recall_window();
-    if (!options.scene.empty()) session_.open(options.scene);
+    recall_panes(state_, editor_.view);
     if (!options.scene.empty()) attempt([&] { recent_.add(*session_.path()); });
     scene_replaced();
     list_recoverable();
 }
 
-template <typename Action>
-bool Workbench::attempt(const Action& action)
+bool Workbench::attempt(const std::function<void()>& action)
 {
     try {
         action();
@@ -118,22 +103,26 @@ double Workbench::now_s() const
 
 int Workbench::run()
 {
-    while (!quit_) {
-        window_.wait(patience_s());
-        take_result();
-        watch_shaders();
-        answer_dialog();
-        attempt([&] { autosave_.update(session_); });
-        for (const std::string& path : window_.dropped_files()) editor_.ask(ui::OpenFile{path});
-        if (window_.close_asked()) editor_.ask_quit();
-        if (window_.was_touched()) last_touch_s_ = now_s();
-        if (something_moves() && now_s() >= next_frame_s()) frame();
-    }
-    remember_view();
+    while (!quit_) turn();
+    leave_view();
+    remember_panes(state_, editor_.view);
     attempt([&] { state_.save(); });
     autosave_.clear();
     if (!options_.recording.empty()) graph::save_atomically(options_.recording, window_.input.recording());
     return 0;
+}
+
+void Workbench::turn()
+{
+    window_.wait(patience_s());
+    take_result();
+    watch_shaders();
+    answer_dialog();
+    attempt([&] { autosave_.update(session_); });
+    for (const std::string& path : window_.dropped_files()) editor_.ask(ui::OpenFile{path});
+    if (window_.close_asked()) editor_.ask_quit();
+    if (window_.was_touched()) last_touch_s_ = now_s();
+    if (something_moves() && now_s() >= next_frame_s()) frame();
 }
 
 bool Workbench::something_moves() const
@@ -145,7 +134,7 @@ bool Workbench::something_moves() const
     return window_.visible() && (lively || blinking || due || played || editor_.view.playing);
 }
 
-double Workbench::next_frame_s() const { return last_frame_s_ + std::max(frame_s, frame_length_s_ / frame_share); }
+double Workbench::next_frame_s() const { return last_frame_s_ + std::max(frame_s, frame_times_.whole_s / frame_share); }
 
 // How long the window may sleep when nothing comes in.
 double Workbench::patience_s() const
@@ -167,6 +156,7 @@ void Workbench::frame()
     window_.begin_frame();
     fill_readings();
     ui::Editor::Output output = editor_.draw(session_.document(), *session_.library(), readings_, window_.theme());
+    frame_times_.ui_s = now_s() - now;
     window_.draw_frame();
     if (script_) play_script();
     window_.show_frame();
@@ -177,7 +167,8 @@ void Workbench::frame()
     if (output.hands_moving || output.document_changed || editor_.viewport().moving()) last_touch_s_ = now;
     redraw_at_s_ = output.redraw_in_s ? std::optional(now + *output.redraw_in_s) : std::nullopt;
     request_picture(output.hands_moving);
-    frame_length_s_ = now_s() - now;
+    frame_times_.whole_s = now_s() - now;
+    ++frames_drawn_;
 }
 
 void Workbench::watch_shaders()
@@ -230,6 +221,7 @@ void Workbench::take_result()
     ui::PictureReading& reading = readings_.picture;
     if (auto* drawn = std::get_if<renderer::DrawnPicture>(&*result)) {
         picture_.show(drawn->picture, drawn->frame);
+        shown_generation_ = drawn->generation;
         reading.full = drawn->final;
         reading.draw_ms = static_cast<float>(drawn->ms);
         reading.mean_steps = static_cast<float>(drawn->steps.mean);
@@ -272,130 +264,6 @@ renderer::PictureRequest Workbench::wanted_picture() const
     return request;
 }
 
-void Workbench::perform(const ui::Request& request)
-{
-    auto restored = [&](bool done) {
-        if (done) scene_.update(session_.document(), session_.library());
-    };
-    if (std::holds_alternative<ui::NewScene>(request)) remember_view(), session_.new_scene(), scene_replaced();
-    if (auto* file = std::get_if<ui::OpenFile>(&request)) open(file->path);
-    if (std::holds_alternative<ui::SaveFile>(request)) save(std::nullopt);
-    if (auto* file = std::get_if<ui::SaveFileAs>(&request)) save(file->path);
-    if (auto* shader = std::get_if<ui::ExportFile>(&request)) export_shader(*shader);
-    if (auto* picture = std::get_if<ui::ExportPicture>(&request)) export_picture(picture->path);
-    if (auto* choice = std::get_if<ui::ChooseFile>(&request)) choose(*choice);
-    if (std::holds_alternative<ui::ForgetRecent>(request)) attempt([&] { recent_.clear(); });
-    if (std::holds_alternative<ui::Undo>(request)) restored(session_.undo());
-    if (std::holds_alternative<ui::Redo>(request)) restored(session_.redo());
-    if (auto* jump = std::get_if<ui::JumpTo>(&request)) restored(session_.jump(jump->step));
-    if (auto* wanted = std::get_if<ui::Recover>(&request)) recover(wanted->id);
-    if (auto* unwanted = std::get_if<ui::DiscardRecovered>(&request)) discard_recovered(unwanted->id);
-    if (std::holds_alternative<ui::Quit>(request)) quit_ = true;
-}
-
-void Workbench::list_recoverable()
-{
-    readings_.recovered.clear();
-    for (const Recovery& recovery : autosave_.recoverable())
-        readings_.recovered.push_back({recovery.id, recovery.title, when_text(recovery.time_s)});
-}
-
-void Workbench::recover(const std::string& id)
-{
-    for (const Recovery& recovery : autosave_.recoverable())
-        if (recovery.id == id && attempt([&] { autosave_.recover(recovery, session_); })) scene_replaced();
-    list_recoverable();
-}
-
-void Workbench::discard_recovered(const std::string& id)
-{
-    for (const Recovery& recovery : autosave_.recoverable())
-        if (recovery.id == id) attempt([&] { autosave_.discard(recovery); });
-    list_recoverable();
-}
-
-void Workbench::choose(const ui::ChooseFile& request)
-{
-    using Then = ui::ChooseFile::Then;
-    dialog_request_ = request;
-    DialogRequest dialog;
-    dialog.kind = request.then == Then::open ? DialogRequest::Kind::open : DialogRequest::Kind::save;
-    dialog.title = dialog_title(request.then);
-    dialog.folder = session_.path() ? session_.path()->parent_path() : std::filesystem::current_path();
-    std::string stem = session_.path() ? session_.path()->stem().stem().string() : "untitled";
-    if (request.then == Then::save_as) dialog.name = stem + ".scene.json";
-    if (request.then == Then::export_shader)
-        dialog.name = stem + ".glsl", dialog.filter = "Shader", dialog.pattern = "*.glsl";
-    if (request.then == Then::export_picture)
-        dialog.name = stem + ".png", dialog.filter = "Picture", dialog.pattern = "*.png";
-    dialog_.start(dialog);
-}
-
-void Workbench::answer_dialog()
-{
-    if (!dialog_request_) return;
-    DialogAnswer answer = dialog_.poll();
-    if (answer.state == DialogAnswer::State::pending) return;
-    ui::ChooseFile request = *std::exchange(dialog_request_, std::nullopt);
-    last_touch_s_ = now_s();
-    if (answer.state == DialogAnswer::State::path) chosen(request, answer.path);
-    if (answer.state == DialogAnswer::State::unavailable) {
-        std::filesystem::path folder =
-            session_.path() ? session_.path()->parent_path() : std::filesystem::current_path();
-        std::string stem = session_.path() ? session_.path()->stem().stem().string() : "untitled";
-        editor_.browse(request, folder.string(), stem);
-    }
-}
-
-void Workbench::chosen(const ui::ChooseFile& request, const std::filesystem::path& path)
-{
-    switch (request.then) {
-        case ui::ChooseFile::Then::open: editor_.ask(ui::OpenFile{path.string()}); break;
-        case ui::ChooseFile::Then::save_as: save(path); break;
-        case ui::ChooseFile::Then::export_shader: export_shader({path.string(), request.target}); break;
-        case ui::ChooseFile::Then::export_picture: export_picture(path); break;
-    }
-}
-
-void Workbench::open(const std::filesystem::path& path)
-{
-    remember_view();
-    if (!attempt([&] { session_.open(path); })) return;
-    attempt([&] { recent_.add(*session_.path()); });
-    scene_replaced();
-    say("Opened " + session_.name());
-}
-
-void Workbench::save(const std::optional<std::filesystem::path>& path)
-{
-    if (!attempt([&] { path ? session_.save_as(*path) : session_.save(); })) return;
-    attempt([&] { recent_.add(*session_.path()); });
-    say("Saved " + session_.name());
-}
-
-void Workbench::export_shader(const ui::ExportFile& request)
-{
-    attempt([&] {
-        std::vector<float> block = field::evaluate_frame(*scene_.program(), static_cast<float>(editor_.view.time_s));
-        graph::save_atomically(request.path,
-                               codegen::print_export(*scene_.program(), session_.document(), block, request.target));
-        say("Exported " + std::filesystem::path(request.path).filename().string());
-    });
-}
-
-// A picture still being drawn is written once it is finished.
-void Workbench::export_picture(const std::filesystem::path& path)
-{
-    if (!readings_.picture.full) {
-        picture_wanted_ = path;
-        return say("The picture is written when it is finished");
-    }
-    attempt([&] {
-        renderer::write_png(path, *picture_.picture());
-        say("Exported " + path.filename().string());
-    });
-}
-
 // Another document is shown: everything derived from the old one goes.
 void Workbench::scene_replaced()
 {
@@ -404,18 +272,17 @@ void Workbench::scene_replaced()
     editor_.view.selection.clear();
     editor_.view.time_s = 0;
     editor_.view.playing = false;
-    recall_view();
+    show_view();
     last_touch_s_ = now_s();
 }
 
 void Workbench::play_script()
 {
-    const ui::PictureReading& picture = readings_.picture;
-    bool newest = !render_thread_.status().busy;
+    bool finished = readings_.picture.full && shown_generation() == asked_generation();
     Script::Stage stage{
         .input = window_.input,
         .rects = editor_.rects,
-        .settled = picture.full && newest && window_.input.empty() && !ImGui::IsAnyItemActive(),
+        .settled = finished && window_.input.empty() && !ImGui::IsAnyItemActive(),
         .take_screenshot =
             [&](const std::filesystem::path& path) {
                 glm::ivec2 size = window_.size_px();
@@ -428,60 +295,21 @@ void Workbench::play_script()
     if (script_->finished()) script_.reset();
 }
 
-void Workbench::remember_view()
+void Workbench::leave_view()
 {
-    const ui::ViewState& view = editor_.view;
-    state_.remember("panes/side_width", view.panes.side_width);
-    state_.remember("panes/canvas_share", view.panes.canvas_share);
-    state_.remember("panes/inspector_share", view.panes.inspector_share);
-    if (!session_.path()) return;
-    std::string key = "view/" + session_.path()->string() + "/";
-    const ui::ViewCamera& camera = view.camera;
-    const std::pair<const char*, double> numbers[] = {{"pivot_x", camera.pivot.x},
-                                                      {"pivot_y", camera.pivot.y},
-                                                      {"pivot_z", camera.pivot.z},
-                                                      {"yaw", camera.yaw_rad},
-                                                      {"pitch", camera.pitch_rad},
-                                                      {"distance", camera.distance},
-                                                      {"orthographic", camera.orthographic},
-                                                      {"through_camera", view.through_camera},
-                                                      {"pan_x", view.canvas.pan_px.x},
-                                                      {"pan_y", view.canvas.pan_px.y},
-                                                      {"zoom", view.canvas.zoom}};
-    for (auto [name, value] : numbers) state_.remember(key + name, value);
-}
-
-void Workbench::recall_window()
-{
-    ui::Panes& panes = editor_.view.panes;
-    auto number = [&](const char* key, float value) { return static_cast<float>(state_.number(key, value)); };
-    panes.side_width = number("panes/side_width", panes.side_width);
-    panes.canvas_share = number("panes/canvas_share", panes.canvas_share);
-    panes.inspector_share = number("panes/inspector_share", panes.inspector_share);
+    if (session_.path()) remember_view(state_, *session_.path(), editor_.view);
 }
 
 // The view of a file as it was left; a file never seen is framed.
-void Workbench::recall_view()
+void Workbench::show_view()
 {
     ui::ViewState& view = editor_.view;
-    std::string key = session_.path() ? "view/" + session_.path()->string() + "/" : "";
-    auto number = [&](const char* name, float value) {
-        return key.empty() ? value : static_cast<float>(state_.number(key + name, value));
-    };
-    ui::ViewCamera camera;
+    if (session_.path() && recall_view(state_, *session_.path(), view)) return;
+    view.camera = {};
+    view.through_camera = true;
     if (auto bounds = scene_.bounds_of({}); bounds && bounds->half_size.x < 1e5f)
-        camera.frame(bounds->centre, bounds->half_size, 1.6f);
-    view.camera.pivot = {number("pivot_x", camera.pivot.x), number("pivot_y", camera.pivot.y),
-                         number("pivot_z", camera.pivot.z)};
-    view.camera.yaw_rad = number("yaw", camera.yaw_rad);
-    view.camera.pitch_rad = number("pitch", camera.pitch_rad);
-    view.camera.distance = std::max(number("distance", camera.distance), 1e-3f);
-    view.camera.orthographic = number("orthographic", 0) != 0;
-    view.through_camera = number("through_camera", 1) != 0;
-    float zoom = number("zoom", 0);
-    view.canvas.pan_px = {number("pan_x", 0), number("pan_y", 0)};
-    view.canvas.zoom = std::clamp(zoom, 0.1f, 4.0f);
-    if (zoom == 0) editor_.canvas().frame_all();
+        view.camera.frame(bounds->centre, bounds->half_size, 1.6f);
+    editor_.canvas().frame_all();
 }
 
 }  // namespace fieldwright::app

@@ -16,6 +16,7 @@
 #include "ui/editor.h"
 
 #include <chrono>
+#include <functional>
 #include <optional>
 
 namespace fieldwright::app {
@@ -33,6 +34,22 @@ class Workbench {
 public:
     explicit Workbench(const WorkbenchOptions& options);  // graph::Failure
     int run();                                            // until the window closes; the exit code
+    void turn();                                          // waits, and draws a frame if one is due
+
+    // For those who drive and measure it.
+    struct FrameTimes {
+        double ui_s = 0;     // from taking the input to the end of what ImGui was told
+        double whole_s = 0;  // to the end of the frame
+    };
+    const FrameTimes& frame_times() const { return frame_times_; }  // of the last frame
+    int frames_drawn() const { return frames_drawn_; }
+    ui::Editor& editor() { return editor_; }
+    EditSession& session() { return session_; }
+    ui::InputQueue& input() { return window_.input; }
+    const ui::Readings& readings() const { return readings_; }
+    renderer::RenderStatus rendering() const { return render_thread_.status(); }
+    std::uint64_t shown_generation() const { return shown_generation_; }  // of the picture in the viewport
+    std::uint64_t asked_generation() const { return requested_ ? requested_->generation : 0; }
 
 private:
     double now_s() const;
@@ -58,13 +75,11 @@ private:
     void discard_recovered(const std::string& id);
     void scene_replaced();
     void play_script();
-    void remember_view();
-    void recall_view();
-    void recall_window();
+    void leave_view();
+    void show_view();
     void say(std::string sentence, bool is_error = false);
     // Runs `action`; a failure becomes the status line's sentence.
-    template <typename Action>
-    bool attempt(const Action& action);
+    bool attempt(const std::function<void()>& action);
 
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     WorkbenchOptions options_;
@@ -87,9 +102,12 @@ private:
     std::optional<std::filesystem::path> picture_wanted_;  // to be written when the picture is finished
     std::string reload_error_, compile_error_;
     bool quit_ = false;
-    double last_frame_s_ = 0, frame_length_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
+    double last_frame_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything
     std::optional<renderer::PictureRequest> requested_;
+    std::uint64_t shown_generation_ = 0;
+    FrameTimes frame_times_;
+    int frames_drawn_ = 0;
 };
 
 }  // namespace fieldwright::app

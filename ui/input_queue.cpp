@@ -46,35 +46,6 @@ struct Told {
     }
 };
 
-void release_all(ImGuiIO& io)
-{
-    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
-    std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
-    io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
-}
-
-void apply(const InputEvent& event, ImGuiIO& io)
-{
-    switch (event.kind) {
-        case InputEvent::Kind::move: io.MousePos = ImVec2(event.at.x, event.at.y); break;
-        case InputEvent::Kind::button:
-            if (event.code >= 0 && event.code < 5) io.MouseDown[event.code] = event.down;
-            break;
-        case InputEvent::Kind::wheel:
-            io.MouseWheelH += event.at.x;
-            io.MouseWheel += event.at.y;
-            break;
-        case InputEvent::Kind::key:
-            if (event.code >= 0 && event.code < key::count) io.KeysDown[event.code] = event.down;
-            break;
-        case InputEvent::Kind::character: io.AddInputCharacter(static_cast<unsigned>(event.code)); break;
-        case InputEvent::Kind::focus:
-            io.AddFocusEvent(event.down);
-            if (!event.down) release_all(io);
-            break;
-    }
-}
-
 void update_modifiers(ImGuiIO& io)
 {
     auto either = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
@@ -94,6 +65,36 @@ void InputQueue::push(InputEvent event)
     else events_.push_back(event);
 }
 
+void InputQueue::release_all(ImGuiIO& io)
+{
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    buttons_.fill(false);
+    mouse_ = glm::vec2(-FLT_MAX);
+}
+
+void InputQueue::apply(const InputEvent& event, ImGuiIO& io)
+{
+    switch (event.kind) {
+        case InputEvent::Kind::move: mouse_ = event.at; break;
+        case InputEvent::Kind::button:
+            if (event.code >= 0 && event.code < static_cast<int>(buttons_.size()))
+                buttons_[static_cast<std::size_t>(event.code)] = event.down;
+            break;
+        case InputEvent::Kind::wheel:
+            io.MouseWheelH += event.at.x;
+            io.MouseWheel += event.at.y;
+            break;
+        case InputEvent::Kind::key:
+            if (event.code >= 0 && event.code < key::count) io.KeysDown[event.code] = event.down;
+            break;
+        case InputEvent::Kind::character: io.AddInputCharacter(static_cast<unsigned>(event.code)); break;
+        case InputEvent::Kind::focus:
+            io.AddFocusEvent(event.down);
+            if (!event.down) release_all(io);
+            break;
+    }
+}
+
 void InputQueue::pass(ImGuiIO& io)
 {
     Told told;
@@ -104,6 +105,8 @@ void InputQueue::pass(ImGuiIO& io)
         apply(event, io);
         if (recording_) *recording_ += event_line(event) + "\n";
     }
+    io.MousePos = ImVec2(mouse_.x, mouse_.y);
+    std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
     update_modifiers(io);
     if (recording_) *recording_ += "frame\n";
 }

@@ -4,7 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +37,14 @@ public:
     std::string recording() const { return recording_.value_or(""); }
 
 private:
+    void apply(const InputEvent& event, ImGuiIO& io);
+    void release_all(ImGuiIO& io);
+
     std::deque<InputEvent> events_;
+    // What Dear ImGui was told last. Told again each frame: its backend for the window system writes there too, what is so
+    // at that moment instead of what comes next.
+    glm::vec2 mouse_{-std::numeric_limits<float>::max()};
+    std::array<bool, 5> buttons_{};
     std::optional<std::string> recording_;
 };
 

@@ -3,11 +3,9 @@
 #include "renderer/render_thread.h"
 #include "renderer/devices.h"
 #include "tests/bench/csg_scene.h"
+#include "tests/bench/processor.h"
 #include "tests/bench/timing.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-#include <atomic>
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
@@ -23,16 +21,6 @@ constexpr int primitives = 300, width = 1280, height = 720;
 constexpr double drag_seconds = 3, idle_seconds = 2;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-double processor_seconds()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    auto seconds = [](const timeval& time) {
-        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 // The window's side of a render thread, woken when there is something to poll.
 class Window {
@@ -116,36 +104,6 @@ private:
 
     std::shared_ptr<const graph::Library> library_;
     CsgScene scene_;
-};
-
-// A second thread compiles the scene without end, as the window's own does after an edit.
-class Compiling {
-public:
-    explicit Compiling(std::shared_ptr<const graph::Program> program) : thread_([this, program] { compile(*program); })
-    {
-    }
-    ~Compiling()
-    {
-        stopped_ = true;
-        thread_.join();
-    }
-    int compiled() const { return compiled_; }
-
-private:
-    void compile(const graph::Program& program)
-    {
-        setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 19);
-        GpuDevice gpu;
-        std::string text = gpu.shader_text(program, 0);
-        while (!stopped_) {
-            gpu.ready_seconds(text);
-            ++compiled_;
-        }
-    }
-
-    std::atomic<bool> stopped_ = false;
-    std::atomic<int> compiled_ = 0;
-    std::thread thread_;
 };
 
 void measure_edits(Window& window, const Scenes& scenes)

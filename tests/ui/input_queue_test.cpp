@@ -89,6 +89,19 @@ TEST_F(QueueOverSlowFrames, a_shortcut_keeps_its_modifier)
     EXPECT_EQ(count_over_frames([] { return ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressed('Z', false) ? 1 : 0; }), 1);
 }
 
+TEST_F(QueueOverSlowFrames, what_others_write_between_frames_does_not_count)
+{
+    queue.push({.kind = Kind::move, .at = {50, 60}});
+    queue.push({.kind = Kind::button, .code = 0, .down = true});
+    count_over_frames([] { return 0; });
+    // As the backend does: the real mouse is elsewhere, and its button already up.
+    ImGui::GetIO().MousePos = ImVec2(300, 300);
+    ImGui::GetIO().MouseDown[0] = false;
+    count_over_frames([] { return 0; });
+    EXPECT_EQ(ImGui::GetIO().MousePos.x, 50);
+    EXPECT_TRUE(ImGui::GetIO().MouseDown[0]);
+}
+
 TEST_F(QueueOverSlowFrames, lost_focus_releases_everything)
 {
     queue.push({.kind = Kind::button, .code = 0, .down = true});

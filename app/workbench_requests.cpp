@@ -1,0 +1,160 @@
+// What the window asked for: files, exports, history, recovery.
+#include "app/workbench.h"
+
+#include "codegen/glsl.h"
+#include "field/evaluator.h"
+#include "graph/scene_file.h"
+
+#include <ctime>
+
+namespace fieldwright::app {
+namespace {
+
+const char* dialog_title(ui::ChooseFile::Then then)
+{
+    switch (then) {
+        case ui::ChooseFile::Then::open: return "Open scene";
+        case ui::ChooseFile::Then::save_as: return "Save scene as";
+        case ui::ChooseFile::Then::export_shader: return "Export shader";
+        case ui::ChooseFile::Then::export_picture: return "Export picture";
+    }
+    return "";
+}
+
+std::string when_text(std::int64_t time_s)
+{
+    std::time_t time = time_s;
+    std::tm local{};
+    localtime_r(&time, &local);
+    char text[64];
+    std::strftime(text, sizeof text, "%d %B, %H:%M", &local);
+    return text;
+}
+
+}  // namespace
+
+void Workbench::perform(const ui::Request& request)
+{
+    auto restored = [&](bool done) {
+        if (done) scene_.update(session_.document(), session_.library());
+    };
+    if (std::holds_alternative<ui::NewScene>(request)) leave_view(), session_.new_scene(), scene_replaced();
+    if (auto* file = std::get_if<ui::OpenFile>(&request)) open(file->path);
+    if (std::holds_alternative<ui::SaveFile>(request)) save(std::nullopt);
+    if (auto* file = std::get_if<ui::SaveFileAs>(&request)) save(file->path);
+    if (auto* shader = std::get_if<ui::ExportFile>(&request)) export_shader(*shader);
+    if (auto* picture = std::get_if<ui::ExportPicture>(&request)) export_picture(picture->path);
+    if (auto* choice = std::get_if<ui::ChooseFile>(&request)) choose(*choice);
+    if (std::holds_alternative<ui::ForgetRecent>(request)) attempt([&] { recent_.clear(); });
+    if (std::holds_alternative<ui::Undo>(request)) restored(session_.undo());
+    if (std::holds_alternative<ui::Redo>(request)) restored(session_.redo());
+    if (auto* jump = std::get_if<ui::JumpTo>(&request)) restored(session_.jump(jump->step));
+    if (auto* wanted = std::get_if<ui::Recover>(&request)) recover(wanted->id);
+    if (auto* unwanted = std::get_if<ui::DiscardRecovered>(&request)) discard_recovered(unwanted->id);
+    if (std::holds_alternative<ui::Quit>(request)) quit_ = true;
+}
+
+void Workbench::list_recoverable()
+{
+    readings_.recovered.clear();
+    for (const Recovery& recovery : autosave_.recoverable())
+        readings_.recovered.push_back({recovery.id, recovery.title, when_text(recovery.time_s)});
+}
+
+void Workbench::recover(const std::string& id)
+{
+    for (const Recovery& recovery : autosave_.recoverable())
+        if (recovery.id == id && attempt([&] { autosave_.recover(recovery, session_); })) scene_replaced();
+    list_recoverable();
+}
+
+void Workbench::discard_recovered(const std::string& id)
+{
+    for (const Recovery& recovery : autosave_.recoverable())
+        if (recovery.id == id) attempt([&] { autosave_.discard(recovery); });
+    list_recoverable();
+}
+
+void Workbench::choose(const ui::ChooseFile& request)
+{
+    using Then = ui::ChooseFile::Then;
+    dialog_request_ = request;
+    DialogRequest dialog;
+    dialog.kind = request.then == Then::open ? DialogRequest::Kind::open : DialogRequest::Kind::save;
+    dialog.title = dialog_title(request.then);
+    dialog.folder = session_.path() ? session_.path()->parent_path() : std::filesystem::current_path();
+    std::string stem = session_.path() ? session_.path()->stem().stem().string() : "untitled";
+    if (request.then == Then::save_as) dialog.name = stem + ".scene.json";
+    if (request.then == Then::export_shader)
+        dialog.name = stem + ".glsl", dialog.filter = "Shader", dialog.pattern = "*.glsl";
+    if (request.then == Then::export_picture)
+        dialog.name = stem + ".png", dialog.filter = "Picture", dialog.pattern = "*.png";
+    dialog_.start(dialog);
+}
+
+void Workbench::answer_dialog()
+{
+    if (!dialog_request_) return;
+    DialogAnswer answer = dialog_.poll();
+    if (answer.state == DialogAnswer::State::pending) return;
+    ui::ChooseFile request = *std::exchange(dialog_request_, std::nullopt);
+    last_touch_s_ = now_s();
+    if (answer.state == DialogAnswer::State::path) chosen(request, answer.path);
+    if (answer.state == DialogAnswer::State::unavailable) {
+        std::filesystem::path folder =
+            session_.path() ? session_.path()->parent_path() : std::filesystem::current_path();
+        std::string stem = session_.path() ? session_.path()->stem().stem().string() : "untitled";
+        editor_.browse(request, folder.string(), stem);
+    }
+}
+
+void Workbench::chosen(const ui::ChooseFile& request, const std::filesystem::path& path)
+{
+    switch (request.then) {
+        case ui::ChooseFile::Then::open: editor_.ask(ui::OpenFile{path.string()}); break;
+        case ui::ChooseFile::Then::save_as: save(path); break;
+        case ui::ChooseFile::Then::export_shader: export_shader({path.string(), request.target}); break;
+        case ui::ChooseFile::Then::export_picture: export_picture(path); break;
+    }
+}
+
+void Workbench::open(const std::filesystem::path& path)
+{
+    leave_view();
+    if (!attempt([&] { session_.open(path); })) return;
+    attempt([&] { recent_.add(*session_.path()); });
+    scene_replaced();
+    say("Opened " + session_.name());
+}
+
+void Workbench::save(const std::optional<std::filesystem::path>& path)
+{
+    if (!attempt([&] { path ? session_.save_as(*path) : session_.save(); })) return;
+    attempt([&] { recent_.add(*session_.path()); });
+    say("Saved " + session_.name());
+}
+
+void Workbench::export_shader(const ui::ExportFile& request)
+{
+    attempt([&] {
+        std::vector<float> block = field::evaluate_frame(*scene_.program(), static_cast<float>(editor_.view.time_s));
+        graph::save_atomically(request.path,
+                               codegen::print_export(*scene_.program(), session_.document(), block, request.target));
+        say("Exported " + std::filesystem::path(request.path).filename().string());
+    });
+}
+
+// A picture still being drawn is written once it is finished.
+void Workbench::export_picture(const std::filesystem::path& path)
+{
+    if (!readings_.picture.full) {
+        picture_wanted_ = path;
+        return say("The picture is written when it is finished");
+    }
+    attempt([&] {
+        renderer::write_png(path, *picture_.picture());
+        say("Exported " + path.filename().string());
+    });
+}
+
+}  // namespace fieldwright::app
