@@ -16,6 +16,8 @@ void add_edit(CLI::App& parser, Session& session)
     CLI::App& command = *parser.add_subcommand("edit", "Open the editor window");
     command.add_option("scene", options->scene, "The scene (*.scene.json); a new one when left out");
     command.add_option("--script", options->script, "Play the actions of this file");
+    command.add_option("--places", options->places,
+                       "Write where widgets stand to this file whenever the window is at rest");
     command.add_option("--record", options->recording, "Write the input events to this file at the end");
     command.add_option("--state", options->state, "Remember recent files, views and autosaves in this folder");
     command.add_option("--window", *size, "Width and height in pixels")->capture_default_str();

@@ -8,6 +8,7 @@
 #include "graph/scene_file.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fieldwright::app {
 namespace {
@@ -65,7 +66,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
     if (!options.shaders.empty()) watch_.emplace(options.shaders);
     if (!options.script.empty()) script_.emplace(options.script);
     if (!options.recording.empty()) window_.input.start_recording();
-    editor_.rects.listening = script_.has_value();
+    editor_.rects.listening = script_ || !options.places.empty();
     readings_.export_targets = codegen::export_targets();
     readings_.view_names = renderer::view_names();
     readings_.stereo_names = renderer::stereo_names();
@@ -122,7 +123,19 @@ void Workbench::turn()
     for (const std::string& path : window_.dropped_files()) editor_.ask(ui::OpenFile{path});
     if (window_.close_asked()) editor_.ask_quit();
     if (window_.was_touched()) last_touch_s_ = now_s();
-    if (something_moves() && now_s() >= next_frame_s()) frame();
+    bool moved = something_moves();
+    if (moved && now_s() >= next_frame_s()) frame();
+    if (std::exchange(moved_, moved) && !moved && !options_.places.empty()) write_places();
+}
+
+// For drivers outside: a line per widget, its name and the pixel of the window in its middle.
+void Workbench::write_places() const
+{
+    std::string lines;
+    for (const auto& [name, rect] : editor_.rects.all())
+        lines += name + " " + std::to_string(std::lround(rect.centre().x)) + " " +
+                 std::to_string(std::lround(rect.centre().y)) + "\n";
+    graph::save_atomically(options_.places, lines);
 }
 
 bool Workbench::something_moves() const

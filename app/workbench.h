@@ -22,10 +22,11 @@
 namespace fieldwright::app {
 
 struct WorkbenchOptions {
-    std::filesystem::path scene;      // empty = a new scene
-    std::filesystem::path shaders;    // read and watched; empty = built in
-    std::filesystem::path script;     // played, when given
-    std::filesystem::path state;      // instead of the user's folders, when given
+    std::filesystem::path scene;    // empty = a new scene
+    std::filesystem::path shaders;  // read and watched; empty = built in
+    std::filesystem::path script;   // played, when given
+    std::filesystem::path state;    // instead of the user's folders, when given
+    std::filesystem::path places;  // where the places of widgets are written whenever the window is at rest, when given
     std::filesystem::path recording;  // where the input is recorded, when given
     glm::ivec2 size{1440, 900};       // px
 };
@@ -75,6 +76,7 @@ private:
     void discard_recovered(const std::string& id);
     void scene_replaced();
     void play_script();
+    void write_places() const;
     void leave_view();
     void show_view();
     void say(std::string sentence, bool is_error = false);
@@ -102,6 +104,7 @@ private:
     std::optional<std::filesystem::path> picture_wanted_;  // to be written when the picture is finished
     std::string reload_error_, compile_error_;
     bool quit_ = false;
+    bool moved_ = false;  // in the last turn
     double last_frame_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything
     std::optional<renderer::PictureRequest> requested_;

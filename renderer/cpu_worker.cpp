@@ -14,7 +14,7 @@ constexpr double coarse_seconds = 0.05;  // half of what a hand notices: the mac
 
 void CpuWorker::run()
 {
-    lower_priority("render cpu");
+    lower_priority("render cpu", picture_nice);
     while (std::optional<Job> job = desk_.wait_for_job(Device::cpu)) {
         if (arena_.execute([&] { return draw(*job); })) desk_.done(Device::cpu, *job);
     }

@@ -7,10 +7,9 @@
 
 namespace fieldwright::renderer {
 
-void lower_priority(const char* thread_name)
+void lower_priority(const char* thread_name, int nice)
 {
-    constexpr int lowest = 19;
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), lowest);
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nice);
     pthread_setname_np(pthread_self(), thread_name);
 }
 

@@ -1,4 +1,4 @@
-// TBB workers at the lowest priority, for the thread that owns the arena.
+// TBB workers at a low priority, for the thread that owns the arena.
 #pragma once
 
 #include "renderer/low_priority.h"
@@ -25,7 +25,7 @@ private:
         ~Observer() override { observe(false); }
         void on_scheduler_entry(bool is_worker) override
         {
-            if (is_worker) lower_priority("render worker");
+            if (is_worker) lower_priority("render worker", picture_nice);
         }
     };
 

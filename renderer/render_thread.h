@@ -1,6 +1,6 @@
 // Draws the newest request of a window on threads of its own: coarse at once, then finer, then idle.
 //
-// Two threads at the lowest priority: one draws on all cores, one owns a GL context of its own, compiles and draws.
+// Two threads of low priority: one draws on all cores, one owns a GL context of its own, compiles and draws.
 // On software GL a changed value is a new text, so there the CPU shows pictures while values change.
 #pragma once
 

@@ -15,7 +15,7 @@ namespace {
 
 // What this frame has already been told.
 struct Told {
-    bool button = false, wheel = false, character = false, press = false;
+    bool move = false, button = false, wheel = false, character = false, press = false;
     std::vector<int> buttons, keys;
 
     bool has(const std::vector<int>& codes, int code) const
@@ -28,7 +28,8 @@ struct Told {
     {
         switch (event.kind) {
             case InputEvent::Kind::move: return button || wheel;
-            case InputEvent::Kind::button: return has(buttons, event.code) || wheel;
+            // What lies under the mouse is known a frame after it came there; a press before that hits what lies below.
+            case InputEvent::Kind::button: return has(buttons, event.code) || wheel || (event.down && move);
             case InputEvent::Kind::wheel: return button;
             case InputEvent::Kind::key: return has(keys, event.code) || character || (!event.down && press);
             case InputEvent::Kind::character: return false;
@@ -39,6 +40,7 @@ struct Told {
 
     void note(const InputEvent& event)
     {
+        if (event.kind == InputEvent::Kind::move) move = true;
         if (event.kind == InputEvent::Kind::button) button = true, buttons.push_back(event.code);
         if (event.kind == InputEvent::Kind::wheel) wheel = true;
         if (event.kind == InputEvent::Kind::key) keys.push_back(event.code), press = press || event.down;

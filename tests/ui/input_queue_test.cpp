@@ -89,6 +89,19 @@ TEST_F(QueueOverSlowFrames, a_shortcut_keeps_its_modifier)
     EXPECT_EQ(count_over_frames([] { return ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressed('Z', false) ? 1 : 0; }), 1);
 }
 
+TEST_F(QueueOverSlowFrames, a_press_comes_a_frame_after_the_move_to_its_place)
+{
+    queue.push({.kind = Kind::move, .at = {50, 60}});
+    queue.push({.kind = Kind::button, .code = 0, .down = true});
+    std::vector<bool> pressed;
+    count_over_frames([&] {
+        pressed.push_back(ImGui::IsMouseClicked(0));
+        EXPECT_EQ(ImGui::GetIO().MousePos.x, 50);
+        return 0;
+    });
+    EXPECT_EQ(pressed, (std::vector<bool>{false, true}));
+}
+
 TEST_F(QueueOverSlowFrames, what_others_write_between_frames_does_not_count)
 {
     queue.push({.kind = Kind::move, .at = {50, 60}});
