@@ -159,9 +159,10 @@ void Window::begin_frame()
     ImGui::NewFrame();
 }
 
+void Window::end_frame() { ImGui::Render(); }
+
 void Window::draw_frame()
 {
-    ImGui::Render();
     glm::ivec2 size = size_px();
     glViewport(0, 0, size.x, size.y);
     ImVec4 background = ImGui::ColorConvertU32ToFloat4(ui::colour::window);

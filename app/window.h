@@ -27,7 +27,8 @@ public:
     void wait(double seconds);
     static void wake();  // from any thread
     void begin_frame();  // ImGui is ready to be drawn into
-    void draw_frame();   // what ImGui was told, into the back buffer
+    void end_frame();    // what ImGui was told is complete
+    void draw_frame();   // into the back buffer
     void show_frame();
 
     void rename(const std::string& title);

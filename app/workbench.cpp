@@ -123,14 +123,16 @@ void Workbench::turn()
     for (const std::string& path : window_.dropped_files()) editor_.ask(ui::OpenFile{path});
     if (window_.close_asked()) editor_.ask_quit();
     if (window_.was_touched()) last_touch_s_ = now_s();
-    bool moved = something_moves();
-    if (moved && now_s() >= next_frame_s()) frame();
-    if (std::exchange(moved_, moved) && !moved && !options_.places.empty()) write_places();
+    if (something_moves() && now_s() >= next_frame_s()) frame();
+    if (!options_.places.empty() && !is_lively()) write_places();
 }
 
+bool Workbench::is_lively() const { return now_s() - last_touch_s_ < lively_s || !window_.input.empty(); }
+
 // For drivers outside: a line per widget, its name and the pixel of the window in its middle.
-void Workbench::write_places() const
+void Workbench::write_places()
 {
+    if (std::exchange(placed_frame_, frames_drawn_) == frames_drawn_) return;
     std::string lines;
     for (const auto& [name, rect] : editor_.rects.all())
         lines += name + " " + std::to_string(std::lround(rect.centre().x)) + " " +
@@ -140,11 +142,10 @@ void Workbench::write_places() const
 
 bool Workbench::something_moves() const
 {
-    bool lively = now_s() - last_touch_s_ < lively_s || !window_.input.empty();
     bool blinking = ImGui::GetIO().WantTextInput && now_s() - last_frame_s_ >= blink_s;
     bool due = redraw_at_s_ && now_s() >= *redraw_at_s_;
     bool played = script_ && now_s() - last_frame_s_ >= script_s;
-    return window_.visible() && (lively || blinking || due || played || editor_.view.playing);
+    return window_.visible() && (is_lively() || blinking || due || played || editor_.view.playing);
 }
 
 double Workbench::next_frame_s() const { return last_frame_s_ + std::max(frame_s, frame_times_.whole_s / frame_share); }
@@ -169,6 +170,8 @@ void Workbench::frame()
     window_.begin_frame();
     fill_readings();
     ui::Editor::Output output = editor_.draw(session_.document(), *session_.library(), readings_, window_.theme());
+    window_.end_frame();
+    if (output.text_expected) window_.input.wait_for_text();
     frame_times_.ui_s = now_s() - now;
     window_.draw_frame();
     if (script_) play_script();
@@ -177,7 +180,9 @@ void Workbench::frame()
     if (output.document_changed) scene_.update(session_.document(), session_.library());
     if (!output.settled_step.empty()) session_.settle(output.settled_step);
     for (const ui::Request& request : output.requests) perform(request);
-    if (output.hands_moving || output.document_changed || editor_.viewport().moving()) last_touch_s_ = now;
+    // A hand that holds something at a pane's edge moves the view without moving itself.
+    bool holding = output.hands_moving && ImGui::IsAnyMouseDown();
+    if (holding || output.document_changed || editor_.viewport().moving()) last_touch_s_ = now;
     redraw_at_s_ = output.redraw_in_s ? std::optional(now + *output.redraw_in_s) : std::nullopt;
     request_picture(output.hands_moving);
     frame_times_.whole_s = now_s() - now;

@@ -55,6 +55,7 @@ public:
 private:
     double now_s() const;
     void frame();
+    bool is_lively() const;
     bool something_moves() const;
     double next_frame_s() const;
     double patience_s() const;
@@ -76,7 +77,7 @@ private:
     void discard_recovered(const std::string& id);
     void scene_replaced();
     void play_script();
-    void write_places() const;
+    void write_places();
     void leave_view();
     void show_view();
     void say(std::string sentence, bool is_error = false);
@@ -104,13 +105,12 @@ private:
     std::optional<std::filesystem::path> picture_wanted_;  // to be written when the picture is finished
     std::string reload_error_, compile_error_;
     bool quit_ = false;
-    bool moved_ = false;  // in the last turn
     double last_frame_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything
     std::optional<renderer::PictureRequest> requested_;
     std::uint64_t shown_generation_ = 0;
     FrameTimes frame_times_;
-    int frames_drawn_ = 0;
+    int frames_drawn_ = 0, placed_frame_ = 0;
 };
 
 }  // namespace fieldwright::app

@@ -164,7 +164,7 @@ const NodeType* AddMenu::draw_inside(FrameContext& frame)
 // True when Enter was pressed.
 bool AddMenu::search_field(FrameContext& frame)
 {
-    if (opening_) ImGui::SetKeyboardFocusHere();
+    if (opening_) frame.focus_next_text();
     ImGui::SetNextItemWidth(-1);
     std::string hint =
         std::string(icon::search) + "  " + (place_.end || place_.on_wire ? "Search what fits" : "Search nodes to add");

@@ -93,7 +93,7 @@ void Canvas::rename_field(FrameContext& frame, const CanvasLayout& layout)
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.5f * size, 0.5f * (height - size)});
     ImGui::SetCursorScreenPos({box.low.x, box.low.y});
     ImGui::SetNextItemWidth(std::max(box.size().x, frame.theme.px(140)));
-    if (rename_.opening) ImGui::SetKeyboardFocusHere();
+    if (rename_.opening) frame.focus_next_text();
     std::string title = node->type ? node->type->title : node->node->type;
     ImGui::InputTextWithHint("##rename", title.c_str(), &rename_.text, ImGuiInputTextFlags_AutoSelectAll);
     frame.rects.mark("canvas/rename");

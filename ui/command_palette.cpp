@@ -47,7 +47,7 @@ std::string CommandPalette::draw(const CommandContext& context, std::span<const 
 std::string CommandPalette::draw_contents(const CommandContext& context, std::span<const Command* const> enabled)
 {
     const Theme& theme = context.frame.theme;
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing()) context.frame.focus_next_text();
     ImGui::SetNextItemWidth(-1);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, colour::window);
     if (ImGui::InputTextWithHint("##search", "What would you like to do?", &query_)) highlighted_ = 0, scroll_ = true;

@@ -70,6 +70,7 @@ Editor::Output Editor::draw(graph::Document& document, const graph::Library& lib
     status_line_.draw(frame, now_s);
     ImGui::End();
 
+    output.text_expected = frame.text_expected;
     output.document_changed = !draft.step.empty();
     if (output.document_changed) pending_step_ = draft.step;
     output.hands_moving = !hands_free();

@@ -24,6 +24,7 @@ public:
         std::string settled_step;
         bool document_changed = false;
         bool hands_moving = false;          // something is being dragged: pictures may be coarse
+        bool text_expected = false;         // tell the input queue: what is typed is meant for a field about to open
         std::optional<double> redraw_in_s;  // when the window will look different although nobody does anything
     };
 

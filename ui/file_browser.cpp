@@ -149,7 +149,7 @@ void FileBrowser::draw_new_folder(FrameContext& frame)
     ImGui::TextUnformatted("Folder name");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - frame.theme.px(96));
-    if (std::exchange(naming_begins_, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(naming_begins_, false)) frame.focus_next_text();
     bool made = ImGui::InputText("##new folder", &new_folder_, ImGuiInputTextFlags_EnterReturnsTrue);
     frame.rects.mark("browser/folder_name");
     ImGui::SameLine();
@@ -219,7 +219,7 @@ void FileBrowser::draw_name(FrameContext& frame)
     ImGui::TextUnformatted("File name");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    if (appearing_ && saving()) ImGui::SetKeyboardFocusHere();
+    if (appearing_ && saving()) frame.focus_next_text();
     bool entered = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
     frame.rects.mark("browser/name");
     if (ImGui::IsItemEdited()) {

@@ -18,6 +18,13 @@ struct FrameContext {
     std::vector<Request>& requests;
     const Theme& theme;
     WidgetRects& rects;
+    bool text_expected = false;  // a text field was focused in this frame; it takes letters a frame or two later
+
+    void focus_next_text()
+    {
+        ImGui::SetKeyboardFocusHere();
+        text_expected = true;
+    }
 };
 
 }  // namespace fieldwright::ui

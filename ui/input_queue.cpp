@@ -28,10 +28,13 @@ struct Told {
     {
         switch (event.kind) {
             case InputEvent::Kind::move: return button || wheel;
-            // What lies under the mouse is known a frame after it came there; a press before that hits what lies below.
-            case InputEvent::Kind::button: return has(buttons, event.code) || wheel || (event.down && move);
+            // What lies under the mouse is known a frame after it came there: a press before that hits what lies below, a
+            // key goes to the pane that was left, and a release ends a drag before its last way was gone. A key right after
+            // a release would come while the hand still counts as busy.
+            case InputEvent::Kind::button: return has(buttons, event.code) || wheel || move;
             case InputEvent::Kind::wheel: return button;
-            case InputEvent::Kind::key: return has(keys, event.code) || character || (!event.down && press);
+            case InputEvent::Kind::key:
+                return has(keys, event.code) || character || (event.down ? move || button : press);
             case InputEvent::Kind::character: return false;
             case InputEvent::Kind::focus: return button || wheel || !keys.empty();
         }
@@ -100,7 +103,8 @@ void InputQueue::apply(const InputEvent& event, ImGuiIO& io)
 void InputQueue::pass(ImGuiIO& io)
 {
     Told told;
-    while (!events_.empty() && !told.hides(events_.front())) {
+    text_patience_ = io.WantTextInput ? 0 : std::max(text_patience_ - 1, 0);
+    while (text_patience_ == 0 && !events_.empty() && !told.hides(events_.front())) {
         InputEvent event = events_.front();
         events_.pop_front();
         told.note(event);

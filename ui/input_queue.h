@@ -30,6 +30,8 @@ public:
     void push(InputEvent event);
     // Applies events until the next would hide an earlier one from this frame. Call before ImGui::NewFrame.
     void pass(ImGuiIO& io);
+    // A text field is about to open: what comes next waits for it, a few frames at most.
+    void wait_for_text() { text_patience_ = longest_text_wait; }
     bool empty() const { return events_.empty(); }
 
     // Everything passed so far, when recording: `frame` lines between the events of different frames.
@@ -40,7 +42,10 @@ private:
     void apply(const InputEvent& event, ImGuiIO& io);
     void release_all(ImGuiIO& io);
 
+    static constexpr int longest_text_wait = 4;  // frames
+
     std::deque<InputEvent> events_;
+    int text_patience_ = 0;
     // What Dear ImGui was told last. Told again each frame: its backend for the window system writes there too, what is so
     // at that moment instead of what comes next.
     glm::vec2 mouse_{-std::numeric_limits<float>::max()};

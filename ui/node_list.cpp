@@ -195,7 +195,7 @@ void NodeList::name(FrameContext& frame, const graph::Node& node, float width_px
 {
     const Theme& theme = frame.theme;
     if (renaming_ == node.id) {
-        if (std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
+        if (std::exchange(focus_name_, false)) frame.focus_next_text();
         node_name_field(frame, mark(node.id, "name"), node, width_px);
         if (ImGui::IsItemDeactivated()) renaming_ = {};
         return;

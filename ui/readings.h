@@ -52,7 +52,7 @@ struct Readings {
     std::vector<std::string> view_names, stereo_names;  // of `ViewState::view` and `stereo`
     // What the picture shows at a pixel of it (top-left origin).
     std::function<graph::NodeId(int x, int y)> node_at;
-    std::function<std::optional<float>(int x, int y)> depth_at;       // m along the view axis; nothing on a miss
+    std::function<std::optional<float>(int x, int y)> depth_at;  // m along the view axis; nothing on a miss
     // In the node's own space, before what its readers do to it. NodeId{} = the whole scene.
     std::function<std::optional<Measured>(graph::NodeId)> bounds_of;
 

@@ -81,11 +81,12 @@ void Driver::perform(const ui::Request& request)
 void Driver::frame()
 {
     ImGuiIO& io = ImGui::GetIO();
-    io.DeltaTime = 1.0f / 60.0f;
+    io.DeltaTime = frame_s;
     queue.pass(io);
     ImGui::NewFrame();
     ui::Editor::Output output = editor.draw(document, *library, readings, theme_);
     ImGui::Render();
+    if (output.text_expected) queue.wait_for_text();
     if (output.document_changed) refresh_readings();
     if (!output.settled_step.empty() && document != steps[step].first) {
         steps.resize(step + 1);

@@ -18,7 +18,7 @@ public:
     Driver(const Driver&) = delete;
     Driver& operator=(const Driver&) = delete;
 
-    // One frame of 1/60 s. Steps are recorded and undo, redo and jump done as the program does.
+    // One frame of frame_s. Steps are recorded and undo, redo and jump done as the program does.
     void frame();
     void frames(int count);
     void run_until_quiet();  // until every event is told, and two frames more (hovering needs one)
@@ -36,6 +36,7 @@ public:
     glm::vec2 place(std::string_view widget) const;  // its centre; fails the test when there is none
     bool shows(std::string_view widget) const { return editor.rects.find(widget).has_value(); }
 
+    float frame_s = 1.0f / 60.0f;
     std::shared_ptr<const graph::Library> library;
     graph::Document document;
     ui::Editor editor;

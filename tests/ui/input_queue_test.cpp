@@ -92,14 +92,32 @@ TEST_F(QueueOverSlowFrames, a_shortcut_keeps_its_modifier)
 TEST_F(QueueOverSlowFrames, a_press_comes_a_frame_after_the_move_to_its_place)
 {
     queue.push({.kind = Kind::move, .at = {50, 60}});
+    queue.push({.kind = Kind::key, .code = 'X', .down = true});
     queue.push({.kind = Kind::button, .code = 0, .down = true});
     std::vector<bool> pressed;
     count_over_frames([&] {
-        pressed.push_back(ImGui::IsMouseClicked(0));
+        pressed.push_back(ImGui::IsMouseClicked(0) && ImGui::IsKeyPressed('X', false));
         EXPECT_EQ(ImGui::GetIO().MousePos.x, 50);
         return 0;
     });
     EXPECT_EQ(pressed, (std::vector<bool>{false, true}));
+}
+
+TEST_F(QueueOverSlowFrames, a_release_and_what_follows_it_come_one_by_one)
+{
+    queue.push({.kind = Kind::button, .code = 0, .down = true});
+    queue.push({.kind = Kind::move, .at = {50, 60}});
+    queue.push({.kind = Kind::button, .code = 0, .down = false});
+    queue.push({.kind = Kind::key, .code = ui::key::space, .down = true});
+    std::string told;
+    count_over_frames([&] {
+        const ImGuiIO& io = ImGui::GetIO();
+        told += io.MouseDown[0] ? "held" : "free";
+        told += io.MousePos.x == 50 ? " there" : " before";
+        told += ImGui::IsKeyPressed(ui::key::space, false) ? " key; " : "; ";
+        return 0;
+    });
+    EXPECT_EQ(told, "held before; held there; free there; free there key; ");
 }
 
 TEST_F(QueueOverSlowFrames, what_others_write_between_frames_does_not_count)
