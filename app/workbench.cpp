@@ -117,6 +117,7 @@ void Workbench::turn()
 {
     window_.wait(patience_s());
     take_result();
+    forget_refusal();
     watch_shaders();
     answer_dialog();
     attempt([&] { autosave_.update(session_); });
@@ -248,9 +249,18 @@ void Workbench::take_result()
         if (drawn->final && picture_wanted_) export_picture(*std::exchange(picture_wanted_, std::nullopt));
     } else if (auto* failed = std::get_if<renderer::CompileFailed>(&*result)) {
         compile_error_ = failed->log;
+        refused_generation_ = failed->generation;
     } else if (auto* broken = std::get_if<renderer::Failed>(&*result)) {
         say(broken->sentence, true);
     }
+}
+
+// Once a newer picture is drawn and nobody complained again.
+void Workbench::forget_refusal()
+{
+    if (compile_error_.empty() || requested_->generation == refused_generation_ || render_thread_.status().busy) return;
+    compile_error_.clear();
+    last_touch_s_ = now_s();
 }
 
 void Workbench::request_picture(bool hands_moving)
@@ -327,7 +337,7 @@ void Workbench::show_view()
     view.through_camera = true;
     if (auto bounds = scene_.bounds_of({}); bounds && bounds->half_size.x < 1e5f)
         view.camera.frame(bounds->centre, bounds->half_size, 1.6f);
-    editor_.canvas().frame_all();
+    editor_.canvas().frame_opening();
 }
 
 }  // namespace fieldwright::app

@@ -62,6 +62,7 @@ private:
     void watch_shaders();
     void fill_readings();
     void take_result();
+    void forget_refusal();
     void request_picture(bool hands_moving);
     renderer::PictureRequest wanted_picture() const;
     void perform(const ui::Request& request);
@@ -104,6 +105,7 @@ private:
     std::optional<Script> script_;
     std::optional<std::filesystem::path> picture_wanted_;  // to be written when the picture is finished
     std::string reload_error_, compile_error_;
+    std::uint64_t refused_generation_ = 0;  // of the picture that compile_error_ is about
     bool quit_ = false;
     double last_frame_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything

@@ -1,6 +1,8 @@
 // Pictures on the GPU: when its shader pays, and when it is faster than the CPU.
 #include "renderer/gpu_worker.h"
 
+#include "codegen/shader_lines.h"
+
 namespace fieldwright::renderer {
 namespace {
 
@@ -75,7 +77,10 @@ void GpuWorker::draw(const Job& job)
 {
     const PictureRequest& request = *job.request;
     std::string text = device_->shader_text(*request.program, request.frame.time);
-    if (refused_.contains(text) || !make_ready(job, text)) return desk_.decided(job);
+    bool ready = !refused_.contains(text) && make_ready(job, text);
+    if (auto refused = refused_.find(text); refused != refused_.end())
+        desk_.report(CompileFailed{refused->second, request.generation});
+    if (!ready) return desk_.decided(job);
     if (!must_draw(job)) {
         if (!pace_.known_near(*request.program)) try_pace(job);
         if (!is_faster(job)) return desk_.decided(job);
@@ -99,8 +104,7 @@ bool GpuWorker::make_ready(const Job& job, const std::string& text)
     } catch (const graph::Failure& failure) {
         if (failure.exit_code != 6) throw;
         if (refused_.size() == refused_limit) refused_.clear();
-        refused_.insert(text);
-        desk_.report(CompileFailed{failure.what(), job.request->generation});
+        refused_[text] = codegen::with_place(failure.what(), *job.request->program->library, text);
     }
     desk_.note_links(past_links_ + device_->links());
     pace_ = {};

@@ -5,7 +5,8 @@
 #include "renderer/picture_pass.h"
 #include "renderer/quiet_arena.h"
 
-#include <set>
+#include <map>
+#include <string>
 
 namespace fieldwright::renderer {
 
@@ -46,7 +47,7 @@ private:
     int past_links_ = 0;  // of devices that were lost
     Pace pace_;
     FramePool frames_;
-    std::set<std::string> refused_;  // texts
+    std::map<std::string, std::string> refused_;  // texts, and why
     LossRecord losses_;
 };
 

@@ -43,7 +43,7 @@ struct DrawnPicture {
     StepStatistics steps;
 };
 
-// The driver refuses the shader; pictures of the CPU go on. Once per text.
+// The driver refuses the shader; pictures of the CPU go on. Once per request.
 struct CompileFailed {
     std::string log;
     std::uint64_t generation = 0;

@@ -134,11 +134,24 @@ void Canvas::serve(FrameContext& frame, const CanvasLayout& layout)
     if (wanted.frame_selected) box = layout.bounds(frame.view.selection.nodes());
     if (!box && (wanted.frame_all || wanted.frame_selected)) box = layout.bounds();
     if (box) glide_.start(frame.view.canvas, view_of(*box, space_.size_px, frame.theme.scale));
+    if (wanted.frame_opening) open_view(frame, layout);
     if (const CanvasNode* node = layout.find(wanted.shown)) bring_into_view(frame, node->box);
     if (wanted.add_menu) {
         bool here = space_.pane_px().contains(mouse_px());
         add_menu_.open(here ? mouse_px() : space_.pane_px().centre(), {.position = cursor_on_canvas()});
     }
+}
+
+void Canvas::open_view(FrameContext& frame, const CanvasLayout& layout)
+{
+    std::optional<Box> all = layout.bounds();
+    if (!all) return;
+    Box end = *all;
+    for (const CanvasNode& node : layout.nodes())
+        if (node.type && node.type->category == "output") end = node.box;
+    glide_.stop();
+    frame.view.canvas = opening_view(*all, end, space_.size_px, frame.theme.scale);
+    place(frame);
 }
 
 void Canvas::grant(FrameContext& frame, const CanvasWish& wish)

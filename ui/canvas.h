@@ -33,6 +33,7 @@ public:
     // What commands ask for; done when the canvas is next drawn.
     void open_add_menu() { wanted_.add_menu = true; }  // at the mouse, or in the middle of the pane
     void frame_all() { wanted_.frame_all = true; }
+    void frame_opening() { wanted_.frame_opening = true; }  // of a graph never seen: titles stay large enough
     void frame_selected() { wanted_.frame_selected = true; }  // all when nothing is selected
     void show(graph::NodeId node) { wanted_.shown = node; }   // brings a node into view, keeping the zoom
     void begin_rename(graph::NodeId node);
@@ -44,7 +45,7 @@ public:
 
 private:
     struct Wanted {
-        bool add_menu = false, frame_all = false, frame_selected = false;
+        bool add_menu = false, frame_all = false, frame_opening = false, frame_selected = false;
         graph::NodeId shown;
     };
     struct Rename {
@@ -59,6 +60,7 @@ private:
     void follow_hand(FrameContext& frame);
     void serve(FrameContext& frame, const CanvasLayout& layout);
     void grant(FrameContext& frame, const CanvasWish& wish);
+    void open_view(FrameContext& frame, const CanvasLayout& layout);
     void bring_into_view(const FrameContext& frame, const Box& box);
     void minimap(FrameContext& frame, const CanvasLayout& layout, bool over);
     graph::NodeId add_and_show(FrameContext& frame, const graph::NodeType& type, const AddPlace& place);

@@ -15,7 +15,10 @@ void Minimap::place(const CanvasLayout& layout, const CanvasSpace& space, const 
     std::optional<Box> bounds = layout.bounds();
     shown_ = bounds && std::min(space.size_px.x, space.size_px.y) >= theme.px(smallest_pane);
     if (!shown_) return;
-    Box whole = bounds->grown(40).with(space.visible());
+    Box seen = space.visible();
+    shown_ = !seen.contains(bounds->low) || !seen.contains(bounds->high);  // else there is nothing to look for
+    if (!shown_) return;
+    Box whole = bounds->grown(40).with(seen);
     glm::vec2 border{2 * theme.px(inset)}, room = share_of_pane * space.size_px;
     scale_ = std::min(room.x / whole.size().x, room.y / whole.size().y);
     glm::vec2 corner = space.pane_px().high - theme.px(margin);

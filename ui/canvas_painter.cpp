@@ -15,9 +15,9 @@ using graph::SocketKind;
 
 namespace {
 
-constexpr float title_size = 13, label_size = 12;  // canvas px
+constexpr float title_size = 16, label_size = 14;  // canvas px
 constexpr float node_rounding = 5, pin_size = 5;
-constexpr float readable_px = 10;  // titles do not get smaller when the canvas does
+constexpr float readable_px = 13;  // titles do not get smaller when the canvas does
 constexpr const char* ellipsis = "\xe2\x80\xa6";
 
 ImVec2 im(glm::vec2 v) { return {v.x, v.y}; }
@@ -105,7 +105,8 @@ void CanvasPainter::wire(const WireCurve& curve, SocketKind kind, WireLook look)
     if (look == WireLook::hovered) colour = mixed(colour, colour::text, 0.4f);
     ImVec2 points[4];
     for (std::size_t i = 0; i < 4; ++i) points[i] = im(space_.screen(curve.points[i]));
-    int segments = detail_ == Detail::boxes ? 8 : 24;
+    float way_px = glm::length(space_.screen(curve.points[3]) - space_.screen(curve.points[0]));
+    int segments = detail_ == Detail::boxes ? 8 : std::clamp(static_cast<int>(way_px / theme_.px(10)), 16, 64);
     list_.AddBezierCubic(points[0], points[1], points[2], points[3], colour::with_alpha(colour, alpha), width,
                          segments);
 }
@@ -129,11 +130,16 @@ void CanvasPainter::plain_box(const CanvasNode& node, const NodeLook& look, cons
 void CanvasPainter::title_box(const CanvasNode& node, const NodeLook& look, const Box& box_px)
 {
     float rounding = px(node_rounding), size = std::max(px(title_size), theme_.px(readable_px));
-    list_.AddRectFilled(im(box_px.low), im(box_px.high), header_colour(node), rounding);
+    float strip = std::max(size + theme_.px(1), std::round(px(node_header)));
+    bool whole = box_px.size().y < strip + theme_.px(3);
+    if (whole) strip = box_px.size().y;
+    list_.AddRectFilled(im(box_px.low), im(box_px.high), colour::node_body, rounding);
+    list_.AddRectFilled(im(box_px.low), {box_px.high.x, box_px.low.y + strip}, header_colour(node), rounding,
+                        whole ? ImDrawFlags_RoundCornersAll : ImDrawFlags_RoundCornersTop);
     outline(box_px, look, rounding);
-    float inset = theme_.px(4), width = box_px.size().x - 2 * inset;
+    float inset = theme_.px(5), width = box_px.size().x - 2 * inset;
     if (!look.renamed)
-        text({box_px.low.x + inset, box_px.centre().y - 0.5f * size}, size, text_colour(node),
+        text({box_px.low.x + inset, box_px.low.y + 0.5f * (strip - size)}, size, text_colour(node),
              node_title(*node.node, node.type), width, true);
     if (node.node->muted) bypass_line(node, box_px);
 }
@@ -176,13 +182,13 @@ void CanvasPainter::header(const CanvasNode& node, const NodeLook& look, const B
     list_.AddRectFilled(im(box_px.low), im(corner), header_colour(node), px(node_rounding),
                         alone ? ImDrawFlags_RoundCornersAll : ImDrawFlags_RoundCornersTop);
     float right = box_px.high.x - px(12);
-    float size = px(title_size);
+    float size = std::max(px(title_size), std::min(theme_.px(readable_px), px(node_header - 2)));
     if (look.problem) {
         Box badge = space_.screen(problem_badge(node.box));
         bool error = look.problem->severity == graph::Problem::Severity::error;
         list_.AddCircleFilled(im(badge.centre()), px(8.5f), colour::node_body);
         float width = text_width(px(14), error ? icon::error : icon::warning);
-        text({badge.centre().x - 0.5f * width, badge.centre().y - px(7.5f)}, px(14),
+        text({badge.centre().x - 0.5f * width, badge.centre().y - px(7)}, px(14),
              error ? colour::error : colour::warning, error ? icon::error : icon::warning, px(20));
         right = badge.low.x - px(2);
     }
@@ -190,13 +196,13 @@ void CanvasPainter::header(const CanvasNode& node, const NodeLook& look, const B
         Box badge = space_.screen(quality_badge(node.box, look.problem));
         const char* sign = quality_words(*node.type).sign;
         float width = text_width(size, sign);
-        text({badge.centre().x - 0.5f * width, badge.centre().y - 0.6f * size}, size,
+        text({badge.centre().x - 0.5f * width, badge.centre().y - 0.5f * size}, size,
              colour::with_alpha(colour::text, 0.6f), sign, px(16));
         right = badge.low.x - px(2);
     }
     if (look.renamed) return;
     float left = box_px.low.x + px(10);
-    text({left, box_px.low.y + px(0.5f * node_header) - 0.6f * size}, size, text_colour(node),
+    text({left, box_px.low.y + px(0.5f * node_header) - 0.5f * size}, size, text_colour(node),
          node_title(*node.node, node.type), right - left, true);
 }
 
@@ -205,7 +211,7 @@ void CanvasPainter::row(const CanvasNode& node, std::size_t row)
     glm::vec2 pin_px = space_.screen(node.input_pin(row));
     std::string label = socket_label(node.type, node.input_name(row));
     float size = px(label_size), left = pin_px.x + px(12), room = px(node_width - 24);
-    text({left, pin_px.y - 0.6f * size}, size, colour::quiet_text, label, room);
+    text({left, pin_px.y - 0.5f * size}, size, colour::quiet_text, label, room);
     if (node.type && !node.node->input(node.input_name(row)))
         row_value(node, row, left + std::min(text_width(size, label), room) + px(8), pin_px.y);
 }
@@ -224,7 +230,7 @@ void CanvasPainter::row_value(const CanvasNode& node, std::size_t row, float lef
     }
     std::string words = value_text(*parameter, *value);
     float width = std::min(text_width(size, words), right - left_px);
-    text({right - width, middle_px - 0.6f * size}, size, text_colour(node), words, width + 1);
+    text({right - width, middle_px - 0.5f * size}, size, text_colour(node), words, width + 1);
 }
 
 // A muted node is dimmed, and shows what it passes on: its first wired shape, or nothing.

@@ -7,7 +7,7 @@
 namespace fieldwright::ui {
 namespace {
 
-constexpr float glide_s = 0.13f, frame_margin = 40;
+constexpr float glide_s = 0.13f, frame_margin = 40, opening_zoom = 0.65f;
 
 }  // namespace
 
@@ -26,6 +26,20 @@ CanvasView view_of(const Box& box, glm::vec2 pane_px, float display_scale)
     CanvasView view;
     view.zoom = std::clamp(scale / display_scale, zoom_minimum, 1.0f);
     view.pan_px = 0.5f * pane_px - view.zoom * display_scale * box.centre();
+    return view;
+}
+
+CanvasView opening_view(const Box& graph, const Box& end, glm::vec2 pane_px, float display_scale)
+{
+    CanvasView view = view_of(graph, pane_px, display_scale);
+    if (view.zoom >= opening_zoom) return view;
+    view.zoom = opening_zoom;
+    float scale = opening_zoom * display_scale, margin = frame_margin * display_scale;
+    glm::vec2 half = (0.5f * pane_px - margin) / scale, low = graph.low + half, high = graph.high - half;
+    glm::vec2 middle = graph.centre();
+    if (low.x < high.x) middle.x = high.x;
+    if (low.y < high.y) middle.y = std::clamp(end.centre().y, low.y, high.y);
+    view.pan_px = 0.5f * pane_px - scale * middle;
     return view;
 }
 

@@ -27,6 +27,9 @@ void zoom_about(CanvasView& view, glm::vec2 at_px, float notches);
 // A view that shows a box whole, never larger than zoom 1.
 CanvasView view_of(const Box& box, glm::vec2 pane_px, float display_scale);
 
+// The view a graph is opened with: whole while titles can be read then, else the part that leads to its `end`.
+CanvasView opening_view(const Box& graph, const Box& end, glm::vec2 pane_px, float display_scale);
+
 // The way from one view to another, 130 ms long.
 class CanvasGlide {
 public:

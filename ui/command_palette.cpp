@@ -38,7 +38,7 @@ std::string CommandPalette::draw(const CommandContext& context, std::span<const 
         for (const Command& command : commands)
             if (command.is_enabled(context) && command.id != "help.palette") enabled.push_back(&command);
         chosen = draw_contents(context, enabled);
-        if (!chosen.empty()) ImGui::CloseCurrentPopup();
+        if (!chosen.empty() || ImGui::IsKeyPressed(key::escape, false)) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     }
     return chosen;

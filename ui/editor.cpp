@@ -1,6 +1,8 @@
 // Layout of the window and the life of a gesture.
 #include "ui/editor.h"
 
+#include "ui/keys.h"
+
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -46,6 +48,18 @@ void begin_host_window(const Theme& theme)
     ImGui::PopStyleVar(3);
 }
 
+int open_popups() { return ImGui::GetCurrentContext()->OpenPopupStack.Size; }
+
+// Escape closes the topmost menu, for those that did not see to it themselves in this frame. Questions know what it
+// means to them; in a field of a menu it means the field.
+void close_by_escape(int open_before, bool was_typing)
+{
+    const ImVector<ImGuiPopupData>& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+    if (!ImGui::IsKeyPressed(key::escape, false) || was_typing || !open_before || popups.Size != open_before) return;
+    const ImGuiWindow* top = popups.back().Window;
+    if (top && !(top->Flags & ImGuiWindowFlags_Modal)) ImGui::ClosePopupToLevel(popups.Size - 1, true);
+}
+
 }  // namespace
 
 Editor::Output Editor::draw(graph::Document& document, const graph::Library& library, const Readings& readings,
@@ -59,12 +73,15 @@ Editor::Output Editor::draw(graph::Document& document, const graph::Library& lib
     FrameContext frame{draft, view, readings, output.requests, theme, rects};
     CommandContext context{frame, canvas_, viewport_, palette_, sheet_, dialogs_};
     commands_ = commands(readings, library);
+    int popups = open_popups();
+    bool was_typing = ImGui::GetIO().WantTextInput;
 
     begin_host_window(theme);
     run_commands(context);
     if (auto node = std::exchange(view.frame_request, {})) canvas_.show(node);
     draw_panes(frame);
     draw_dialogs(context);
+    close_by_escape(popups, was_typing);
     double now_s = ImGui::GetTime();
     if (!draft.refusal.empty()) status_line_.refuse(draft.refusal, now_s);
     status_line_.draw(frame, now_s);

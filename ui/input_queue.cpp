@@ -13,9 +13,14 @@
 namespace fieldwright::ui {
 namespace {
 
+// As far as the two clicks of a double click may be apart in Dear ImGui.
+constexpr float trembling_px = 6;
+constexpr float drag_px = 2;  // what a drag may be short of
+
 // What this frame has already been told.
 struct Told {
-    bool move = false, button = false, wheel = false, character = false, press = false;
+    float way_px = 0;  // of the mouse
+    bool button = false, wheel = false, character = false, press = false;
     std::vector<int> buttons, keys;
 
     bool has(const std::vector<int>& codes, int code) const
@@ -23,18 +28,19 @@ struct Told {
         return std::find(codes.begin(), codes.end(), code) != codes.end();
     }
 
-    // Whether `event` would hide something told: a position under a click, a second change of one button.
+    // Whether `event` would hide something told: a position under a click, a second change of one button. What lies
+    // under the mouse is known a frame after it came there: a press before that hits what lies below, a key goes to the
+    // pane that was left, and a release ends a drag before its last way was gone. A key right after a release would come
+    // while the hand still counts as busy.
     bool hides(const InputEvent& event) const
     {
         switch (event.kind) {
             case InputEvent::Kind::move: return button || wheel;
-            // What lies under the mouse is known a frame after it came there: a press before that hits what lies below, a
-            // key goes to the pane that was left, and a release ends a drag before its last way was gone. A key right after
-            // a release would come while the hand still counts as busy.
-            case InputEvent::Kind::button: return has(buttons, event.code) || wheel || move;
+            case InputEvent::Kind::button:
+                return has(buttons, event.code) || wheel || way_px > (event.down ? trembling_px : drag_px);
             case InputEvent::Kind::wheel: return button;
             case InputEvent::Kind::key:
-                return has(keys, event.code) || character || (event.down ? move || button : press);
+                return has(keys, event.code) || character || (event.down ? way_px > trembling_px || button : press);
             case InputEvent::Kind::character: return false;
             case InputEvent::Kind::focus: return button || wheel || !keys.empty();
         }
@@ -43,7 +49,6 @@ struct Told {
 
     void note(const InputEvent& event)
     {
-        if (event.kind == InputEvent::Kind::move) move = true;
         if (event.kind == InputEvent::Kind::button) button = true, buttons.push_back(event.code);
         if (event.kind == InputEvent::Kind::wheel) wheel = true;
         if (event.kind == InputEvent::Kind::key) keys.push_back(event.code), press = press || event.down;
@@ -107,6 +112,7 @@ void InputQueue::pass(ImGuiIO& io)
     while (text_patience_ == 0 && !events_.empty() && !told.hides(events_.front())) {
         InputEvent event = events_.front();
         events_.pop_front();
+        if (event.kind == InputEvent::Kind::move) told.way_px = std::max(told.way_px, glm::distance(event.at, mouse_));
         told.note(event);
         apply(event, io);
         if (recording_) *recording_ += event_line(event) + "\n";

@@ -1,6 +1,7 @@
 // Drawing the active node: its parameters, help and problems.
 #include "ui/inspector.h"
 
+#include "ui/node_words.h"
 #include "ui/number_text.h"
 #include "ui/parameter_rows.h"
 #include "ui/scene_settings.h"
@@ -65,7 +66,7 @@ void category_chip(const FrameContext& frame, std::string_view category)
     ImVec2 size = ImGui::CalcTextSize(icon);
     draw.AddText({std::floor(low.x + 0.5f * (side - size.x)), std::floor(low.y + 0.5f * (side - size.y))}, colour::text,
                  icon);
-    tooltip(frame, sentence_case(category));
+    tooltip(frame, category_title(category));
 }
 
 void header(FrameContext& frame, const graph::Node& node, const graph::NodeType* type)
@@ -82,7 +83,7 @@ void header(FrameContext& frame, const graph::Node& node, const graph::NodeType*
     ImGui::BeginDisabled(!type);
     mute_button(frame, "inspector/mute", *frame.draft.document.root.find(node.id));
     ImGui::EndDisabled();
-    std::string words = type ? type->title + " · " + type->category : "Unknown type “" + node.type + "”";
+    std::string words = type ? type->title + " · " + category_title(type->category) : "Unknown type “" + node.type + "”";
     line_text(frame, words, colour::quiet_text,
               std::max(ImGui::GetContentRegionAvail().x - theme.px(type && type->is_field() ? 96 : 0), theme.px(40)));
     if (type && type->is_field()) quality_badge(frame, *type);

@@ -14,33 +14,33 @@ namespace {
 
 struct Tab {
     Panel panel;
-    const char *name, *title, *icon, *tip;
+    const char *name, *title, *tip;
 };
 
 constexpr Tab tabs[] = {
-    {Panel::materials, "materials", "Materials", icon::palette, "Materials: what surfaces are made of"},
-    {Panel::lights, "lights", "Lights", icon::bulb, "Lights"},
-    {Panel::camera, "camera", "Camera", icon::camera, "Camera and sky"},
-    {Panel::cost, "cost", "Cost", icon::gauge, "Cost: what the scene asks of the machine, and the steps heatmap"},
-    {Panel::stereo, "stereo", "Stereo", icon::glasses, "Stereo: red-cyan pictures for two eyes"},
-    {Panel::shader, "shader", "Shader", icon::code, "Shader: the live GLSL of the scene, and its export"},
-    {Panel::problems, "problems", "Problems", icon::warning, "Problems of the scene"},
-    {Panel::history, "history", "History", icon::history, "History: the steps that were made"},
+    {Panel::materials, "materials", "Materials", "Materials: what surfaces are made of"},
+    {Panel::lights, "lights", "Lights", "Lights"},
+    {Panel::camera, "camera", "Camera", "Camera and sky"},
+    {Panel::cost, "cost", "Cost", "Cost: what the scene asks of the machine, and the steps heatmap"},
+    {Panel::stereo, "stereo", "Stereo", "Stereo: red-cyan pictures for two eyes"},
+    {Panel::shader, "shader", "Shader", "Shader: the live GLSL of the scene, and its export"},
+    {Panel::problems, "problems", "Problems", "Problems of the scene"},
+    {Panel::history, "history", "History", "History: the steps that were made"},
 };
 
 std::string count_text(std::size_t count) { return count > 99 ? "99+" : std::to_string(count); }
 
 ImVec2 badge_size(const FrameContext& frame, const std::string& text)
 {
-    float height = frame.theme.px(13);
-    float width = frame.theme.fonts.small->CalcTextSizeA(frame.theme.px(10), FLT_MAX, 0, text.c_str()).x;
-    return {std::max(width + frame.theme.px(7), height), height};
+    float height = frame.theme.px(16);
+    float width = frame.theme.fonts.small->CalcTextSizeA(frame.theme.px(12), FLT_MAX, 0, text.c_str()).x;
+    return {std::max(width + frame.theme.px(8), height), height};
 }
 
 void badge(const FrameContext& frame, ImVec2 at, const std::string& text, ImU32 tint)
 {
     ImFont* font = frame.theme.fonts.small;
-    float font_px = frame.theme.px(10);
+    float font_px = frame.theme.px(12);
     ImVec2 extent = font->CalcTextSizeA(font_px, FLT_MAX, 0, text.c_str()), size = badge_size(frame, text);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, tint, 0.5f * size.y);
@@ -56,63 +56,51 @@ ImU32 worst_tint(const std::vector<graph::Problem>& problems)
     return error ? colour::error : colour::warning;
 }
 
-void tab(FrameContext& frame, const Tab& entry, float width_px, bool active)
+void tab(FrameContext& frame, const Tab& entry, float width_px)
 {
     const Theme& theme = frame.theme;
-    ImVec2 low = ImGui::GetCursorScreenPos(), size(width_px, theme.px(28));
+    bool active = frame.view.panel == entry.panel;
+    ImVec2 low = ImGui::GetCursorScreenPos(), size(width_px, theme.row());
     if (ImGui::InvisibleButton(entry.name, size)) frame.view.panel = entry.panel;
     frame.rects.mark(std::string("panel/tab/") + entry.name);
     bool hovered = ImGui::IsItemHovered();
     tooltip(frame, entry.tip);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImVec2 high(low.x + size.x, low.y + size.y);
     if (active || hovered)
-        draw.AddRectFilled(low, high, active ? colour::field : colour::rgb(0x22262c), theme.px(4),
-                           ImDrawFlags_RoundCornersTop);
-    if (active) draw.AddRectFilled({low.x, high.y - theme.px(2)}, high, colour::accent);
-    ImU32 tint = active || hovered ? colour::text : colour::quiet_text;
-    ImVec2 glyph = ImGui::CalcTextSize(entry.icon);
-    float y = low.y + std::floor(0.5f * (size.y - ImGui::GetFontSize()));
-    float x = active ? low.x + theme.px(8) : low.x + std::floor(0.5f * (size.x - glyph.x));
-    draw.AddText({x, y}, tint, entry.icon);
-    if (active) draw.AddText({x + glyph.x + theme.px(6), y}, tint, entry.title);
+        draw.AddRectFilled(low, {low.x + size.x, low.y + size.y}, active ? colour::chosen : colour::field, theme.px(4));
     const auto& problems = frame.readings.problems;
-    if (entry.panel != Panel::problems || problems.empty()) return;
-    std::string count = count_text(problems.size());
-    ImVec2 extent = badge_size(frame, count);
-    // Behind the title, or at the upper right of the icon.
-    ImVec2 at = active ? ImVec2(high.x - extent.x - theme.px(6), low.y + std::floor(0.5f * (size.y - extent.y)))
-                       : ImVec2(std::min(x + glyph.x - theme.px(6), high.x - extent.x), low.y + theme.px(1));
-    badge(frame, at, count, worst_tint(problems));
+    bool counted = entry.panel == Panel::problems && !problems.empty();
+    std::string count = counted ? count_text(problems.size()) : "";
+    ImVec2 extent = counted ? badge_size(frame, count) : ImVec2(0, 0);
+    float gap = counted ? theme.px(4) : 0, text = ImGui::CalcTextSize(entry.title).x;
+    float x = low.x + std::floor(0.5f * (size.x - text - gap - extent.x));
+    draw.AddText({x, low.y + std::floor(0.5f * (size.y - ImGui::GetFontSize()))},
+                 active || hovered ? colour::text : colour::quiet_text, entry.title);
+    if (counted)
+        badge(frame, {x + text + gap, low.y + std::floor(0.5f * (size.y - extent.y))}, count, worst_tint(problems));
 }
 
-// An icon and a title; the count of the problems, too.
-float active_width(const FrameContext& frame, const Tab& entry)
-{
-    float width = ImGui::CalcTextSize(entry.icon).x + ImGui::CalcTextSize(entry.title).x + frame.theme.px(22);
-    std::size_t problems = frame.readings.problems.size();
-    if (entry.panel == Panel::problems && problems)
-        width += badge_size(frame, count_text(problems)).x + frame.theme.px(6);
-    return width;
-}
-
+// Words, in one row where they fit, else in two.
 void tab_bar(FrameContext& frame)
 {
     const Theme& theme = frame.theme;
-    const Tab& active = *std::find_if(std::begin(tabs), std::end(tabs) - 1,
-                                      [&](const Tab& entry) { return entry.panel == frame.view.panel; });
-    float room = ImGui::GetContentRegionAvail().x, count = static_cast<float>(std::size(tabs));
-    float wide = active_width(frame, active);
-    float width = std::min(std::floor((room - wide) / (count - 1)), theme.px(40));
-    ImVec2 low = ImGui::GetCursorScreenPos();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-    for (const Tab& entry : tabs) {
-        if (&entry != tabs) ImGui::SameLine();
-        tab(frame, entry, &entry == &active ? wide : width, &entry == &active);
+    float room = ImGui::GetContentRegionAvail().x;
+    int columns = room >= theme.px(660) ? static_cast<int>(std::size(tabs)) : 4;
+    float gap = theme.px(2), left = ImGui::GetCursorPosX();
+    float pitch = (room + gap) / static_cast<float>(columns);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, gap));
+    for (int i = 0; i < static_cast<int>(std::size(tabs)); ++i) {
+        auto column = static_cast<float>(i % columns);
+        float from = std::round(column * pitch), to = std::round((column + 1) * pitch) - gap;
+        if (i % columns) ImGui::SameLine();
+        ImGui::SetCursorPosX(left + from);
+        tab(frame, tabs[i], to - from);
     }
     ImGui::PopStyleVar();
-    float y = low.y + theme.px(28);
-    ImGui::GetWindowDrawList()->AddLine({low.x, y}, {low.x + room, y}, colour::line);
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    float y = low.y + theme.px(2);
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + room, y + theme.px(1)}, colour::line);
+    ImGui::Dummy({0, theme.px(3)});
 }
 
 }  // namespace

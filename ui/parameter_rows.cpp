@@ -3,6 +3,7 @@
 
 #include "ui/colour_field.h"
 #include "ui/number_field.h"
+#include "ui/node_words.h"
 #include "ui/number_text.h"
 #include "ui/points_field.h"
 #include "ui/widgets.h"
@@ -128,12 +129,18 @@ std::optional<std::size_t> combo(const Row& row, const std::string& shown, std::
     return chosen;
 }
 
+// The inputs are called as they are on the node.
+std::string choice_words(const std::string& word)
+{
+    return word == "a" || word == "b" ? socket_label(nullptr, word) : sentence_case(word);
+}
+
 void choice_row(const Row& row)
 {
     std::string current = value_of<std::string>(row);
     const auto& words = row.parameter.choices;
-    auto label = [&](std::size_t i) { return std::pair(words[i], sentence_case(words[i])); };
-    if (auto chosen = combo(row, sentence_case(current), words.size(), label)) row.write(words[*chosen]);
+    auto label = [&](std::size_t i) { return std::pair(words[i], choice_words(words[i])); };
+    if (auto chosen = combo(row, choice_words(current), words.size(), label)) row.write(words[*chosen]);
 }
 
 void colour_row(const Row& row)
@@ -193,7 +200,7 @@ void source_field(FrameContext& frame, const std::string& path, const graph::Nod
     draw.AddText({low.x + theme.px(22), low.y + std::floor(0.5f * (theme.row() - ImGui::GetFontSize()))}, colour::text,
                  words.c_str());
     to_row_end(frame);
-    bool unwire = icon_button(frame, "unwire", icon::unlink, "Take this wire off");
+    bool unwire = icon_button(frame, "unwire", icon::close, "Take this wire off");
     frame.rects.mark(path + "/unwire");
     if (pressed && source) frame.view.selection.only(source_id);
     if (!unwire) return;
@@ -263,14 +270,6 @@ void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id,
     ImGui::PopID();
 }
 
-std::string input_label(std::string_view socket)
-{
-    if (socket == "d") return "Field";
-    if (socket == "a") return "First field";
-    if (socket == "b") return "Second field";
-    return sentence_case(socket);
-}
-
 }  // namespace
 
 void parameter_rows(FrameContext& frame, std::string_view path, graph::NodeId id)
@@ -298,8 +297,7 @@ void input_rows(FrameContext& frame, std::string_view path, graph::NodeId id)
     for (const graph::Socket& socket : type->inputs) {
         if (type->parameter(socket.name)) continue;
         ImGui::PushID(socket.name.c_str());
-        float width = begin_row(frame, input_label(socket.name),
-                                "Takes a " + std::string(graph::socket_kind_name(socket.kind)) + ".");
+        float width = begin_row(frame, socket_label(type, socket.name), socket_hint(type, socket.name));
         std::string name = std::string(path) + "/input/" + socket.name;
         if (graph::NodeId source = node->input(socket.name)) {
             source_field(frame, name, *node, socket.name, source, width);

@@ -2,6 +2,7 @@
 #include "ui/theme.h"
 
 #include "ui/font_files.h"
+#include "ui/letter_spacing.h"
 
 #include <imgui_freetype.h>
 
@@ -12,14 +13,9 @@
 namespace fieldwright::ui {
 namespace {
 
-constexpr ImWchar latin_but_digits[] = {0x20,   0x2f,   0x3a,   0xff,   0x100,  0x17f,  0x2010, 0x2027,
-                                        0x2030, 0x203a, 0x20ac, 0x20ac, 0x2190, 0x21ff, 0x2200, 0x22ff,
-                                        0x25a0, 0x25ff, 0x2713, 0x2717, 0x370,  0x3ff,  0};
-constexpr ImWchar all_text[] = {0x20,   0xff,   0x100,  0x17f,  0x370,  0x3ff,  0x2010, 0x2027,
-                                0x2030, 0x203a, 0x2190, 0x21ff, 0x2200, 0x22ff, 0};
-constexpr ImWchar digits[] = {'0', '9', 0};
+constexpr ImWchar letters[] = {0x20,   0x17f,  0x2010, 0x2027, 0x2030, 0x203a, 0x20ac, 0x20ac, 0x2190, 0x21ff, 0x2200,
+                               0x22ff, 0x25a0, 0x25ff, 0x2713, 0x2717, 0x370,  0x3ff,  0};
 constexpr ImWchar icons[] = {0xf000, 0xf2e0, 0};
-constexpr float digit_advance = 0.62f;  // of the size; Inter's widest digit
 
 ImFont* add_font(std::span<const unsigned char> file, float size_px, const ImWchar* ranges, ImFontConfig config = {})
 {
@@ -35,36 +31,41 @@ void merge_icons(float size_px)
 {
     ImFontConfig config;
     config.MergeMode = true;
-    config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::round(size_px * 1.2f);
-    config.GlyphOffset.y = std::round(size_px * 0.07f);
-    add_font(font_awesome(), size_px * 0.95f, icons, config);
+    config.PixelSnapH = true;
+    config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::round(size_px * 1.125f);
+    add_font(font_awesome(), std::round(size_px * 0.875f), icons, config);
 }
 
-// Numbers that change must not make their neighbours jump: digits share one width.
 ImFont* add_text(std::span<const unsigned char> file, float size_px)
 {
-    ImFont* font = add_font(file, size_px, latin_but_digits);
-    ImFontConfig config;
-    config.MergeMode = true;
-    config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = size_px * digit_advance;
-    add_font(file, size_px, digits, config);
+    ImFont* font = add_font(file, size_px, letters);
     merge_icons(size_px);
     return font;
 }
 
+// A size is from ascender to descender: Inter's letters at 16 are those of 13 px in a browser.
 Fonts add_fonts(float scale)
 {
     Fonts fonts;
-    fonts.text = add_text(inter_regular(), std::round(14 * scale));
-    fonts.heading = add_text(inter_semibold(), std::round(14 * scale));
-    fonts.small = add_text(inter_regular(), std::round(12 * scale));
-    fonts.mono = add_font(jetbrains_mono(), std::round(13 * scale), all_text);
+    fonts.text = add_text(inter_regular(), std::round(16 * scale));
+    fonts.heading = add_text(inter_semibold(), std::round(16 * scale));
+    fonts.small = add_text(inter_regular(), std::round(14 * scale));
+    fonts.mono = add_font(jetbrains_mono(), std::round(15 * scale), letters);
     for (std::size_t i = 0; i < canvas_font_sizes.size(); ++i) {
         float size_px = std::round(canvas_font_sizes[i] * scale);
         fonts.canvas[i] = add_text(inter_regular(), size_px);
         fonts.canvas_heading[i] = add_text(inter_semibold(), size_px);
     }
     return fonts;
+}
+
+void space(const Fonts& fonts)
+{
+    for (ImFont* font : {fonts.text, fonts.small}) space_letters(*font, inter_regular());
+    for (ImFont* font : fonts.canvas) space_letters(*font, inter_regular());
+    for (ImFont* font : fonts.canvas_heading) space_letters(*font, inter_semibold());
+    space_letters(*fonts.heading, inter_semibold());
+    space_letters(*fonts.mono, jetbrains_mono());
 }
 
 ImVec4 vec4(ImU32 value) { return ImGui::ColorConvertU32ToFloat4(value); }
@@ -160,7 +161,7 @@ void set_style(float scale)
 {
     ImGuiStyle style;
     style.WindowPadding = {8, 8};
-    style.FramePadding = {8, 4};  // with Inter 14: rows of 24
+    style.FramePadding = {8, 4};  // with Inter 16: rows of 24
     style.ItemSpacing = {8, 4};
     style.ItemInnerSpacing = {4, 4};
     style.CellPadding = {4, 2};
@@ -190,6 +191,8 @@ Theme make_theme(float scale)
     Theme theme;
     theme.scale = scale;
     theme.fonts = add_fonts(scale);
+    atlas.Build();
+    space(theme.fonts);
     ImGui::GetIO().FontDefault = theme.fonts.text;
     set_style(scale);
     return theme;

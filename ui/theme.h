@@ -19,6 +19,7 @@ constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255)
 inline constexpr ImU32 window = rgb(0x15171a), panel = rgb(0x1c1f24), field = rgb(0x262b32), line = rgb(0x333a44);
 inline constexpr ImU32 text = rgb(0xd9dee6), quiet_text = rgb(0x8d97a6);
 inline constexpr ImU32 accent = rgb(0x5aa9ff);  // selection, focus, primary action; nothing else
+inline constexpr ImU32 chosen = rgb(0x3d4c5f);  // of several, where the accent would be too loud
 inline constexpr ImU32 warning = rgb(0xe0a93e), error = rgb(0xef6b6b);
 inline constexpr ImU32 node_body = rgb(0x20242a), canvas = rgb(0x17191d), grid = rgb(0x1f2329);
 
@@ -36,13 +37,13 @@ ImU32 category_colour(std::string_view category);  // of a node's header: one li
 ImU32 socket_colour(graph::SocketKind kind);       // of sockets and the links between them
 
 // Font sizes the canvas is drawn with, at scale 1, px; the smallest that is large enough is scaled down.
-inline constexpr std::array<float, 8> canvas_font_sizes = {8, 11, 14, 18, 24, 32, 44, 60};
+inline constexpr std::array<float, 8> canvas_font_sizes = {9, 12, 14, 16, 21, 28, 40, 60};
 
 struct Fonts {
-    ImFont* text = nullptr;     // Inter 14, with icons and digits of one width
-    ImFont* heading = nullptr;  // Inter semi-bold 14, with icons
-    ImFont* small = nullptr;    // Inter 12
-    ImFont* mono = nullptr;     // JetBrains Mono 13
+    ImFont* text = nullptr;     // Inter 16, with icons and digits of one width
+    ImFont* heading = nullptr;  // Inter semi-bold 16, with icons
+    ImFont* small = nullptr;    // Inter 14
+    ImFont* mono = nullptr;     // JetBrains Mono 15
     std::array<ImFont*, canvas_font_sizes.size()> canvas{}, canvas_heading{};
 };
 

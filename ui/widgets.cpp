@@ -180,7 +180,7 @@ bool segments(FrameContext& frame, std::string_view path, const std::vector<std:
         const auto& [value, word] = words[i];
         bool active = value == chosen;
         if (i) ImGui::SameLine();
-        ImGui::PushStyleColor(ImGuiCol_Button, active ? colour::rgb(0x3d4c5f) : colour::field);
+        ImGui::PushStyleColor(ImGuiCol_Button, active ? colour::chosen : colour::field);
         if (text_button(frame, value.c_str(), word, width, active ? colour::text : colour::quiet_text) && !active) {
             chosen = value;
             changed = true;
@@ -240,7 +240,7 @@ bool folding_section(const FrameContext& frame, const char* title)
     ImRect box(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     ImU32 tint = ImGui::IsItemHovered() ? colour::text : colour::quiet_text;
-    float y = box.Min.y + row_text_offset(frame.theme), x = box.Min.x + frame.theme.px(18);
+    float y = box.Min.y + row_text_offset(frame.theme), x = box.Min.x + frame.theme.px(22);
     draw.AddText({box.Min.x, y}, tint, open ? icon::chevron_down : icon::chevron_right);
     ImGui::PushFont(frame.theme.fonts.heading);
     draw.AddText({x, y}, colour::text, title);

@@ -80,6 +80,30 @@ TEST_F(QueueOverSlowFrames, a_quick_drag_is_pressed_where_it_began)
     EXPECT_EQ(released_at, 300);
 }
 
+TEST_F(QueueOverSlowFrames, a_hand_is_seen_to_arrive_before_it_presses)
+{
+    queue.push({.kind = Kind::move, .at = {50, 200}});
+    queue.push({.kind = Kind::button, .code = 0, .down = true});
+    queue.push({.kind = Kind::button, .code = 0, .down = false});
+    int frames = 0, pressed_in = 0;
+    count_over_frames([&] {
+        ++frames;
+        if (ImGui::IsMouseClicked(0)) pressed_in = frames;
+        return 0;
+    });
+    EXPECT_EQ(pressed_in, 2);
+}
+
+TEST_F(QueueOverSlowFrames, a_trembling_hand_can_double_click)
+{
+    for (float tremble : {0.0f, 2.0f}) {
+        queue.push({.kind = Kind::move, .at = {50 + tremble, 200}});
+        queue.push({.kind = Kind::button, .code = 0, .down = true});
+        queue.push({.kind = Kind::button, .code = 0, .down = false});
+    }
+    EXPECT_EQ(count_over_frames([] { return ImGui::IsMouseDoubleClicked(0) ? 1 : 0; }), 1);
+}
+
 TEST_F(QueueOverSlowFrames, a_shortcut_keeps_its_modifier)
 {
     queue.push({.kind = Kind::key, .code = ui::key::left_control, .down = true});

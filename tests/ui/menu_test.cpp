@@ -77,6 +77,41 @@ TEST(Menus, escape_closes_them)
     EXPECT_FALSE(driver.shows("menu/file.new"));
 }
 
+TEST(Menus, escape_closes_those_of_buttons_and_nodes_too)
+{
+    Driver driver(first_example());
+    auto closes = [&](std::string_view opened) {
+        EXPECT_TRUE(driver.shows(opened)) << opened;
+        driver.key(ui::key::escape);
+        EXPECT_FALSE(driver.shows(opened)) << opened;
+    };
+    driver.click("viewport/view");
+    closes("viewport/view/steps");
+    driver.click("panel/materials/add");
+    closes("panel/materials/add/phong");
+    driver.click("menu/File");
+    closes("menu/file.new");
+    driver.move(driver.place("canvas"));
+    driver.key(ui::key::home);
+    driver.frames(60);
+    driver.click("canvas/node/37/header", 1);
+    closes("canvas/menu/delete");
+    driver.editor.view.selection.only(graph::NodeId{17});
+    driver.frames(2);
+    driver.click("inspector/albedo");
+    closes("inspector/albedo/picker");
+}
+
+TEST(Palette, escape_closes_it_while_typing)
+{
+    Driver driver(first_example());
+    driver.key('P', true);
+    driver.type("undo");
+    ASSERT_TRUE(driver.shows("palette/search"));
+    driver.key(ui::key::escape);
+    EXPECT_FALSE(driver.shows("palette/search"));
+}
+
 TEST(Palette, finds_undo_and_runs_it)
 {
     Driver driver(first_example());

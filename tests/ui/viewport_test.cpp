@@ -396,6 +396,20 @@ TEST_F(ViewportTest, the_pane_is_hovered_under_the_toolbar_too_but_not_elsewhere
     EXPECT_FALSE(driver.editor.viewport().hovered());
 }
 
+TEST_F(ViewportTest, a_press_on_the_toolbar_at_once_chooses_no_node_below_it)
+{
+    view().selection.only(output);
+    show_picture();
+    driver.readings.node_at = [this](int, int) { return sphere; };
+    driver.move(empty());
+    // Faster than a frame.
+    driver.queue.push({.kind = ui::InputEvent::Kind::move, .at = driver.place("viewport/view")});
+    driver.queue.push({.kind = ui::InputEvent::Kind::button, .code = 0, .down = true});
+    driver.release();
+    EXPECT_TRUE(driver.shows("viewport/view/steps"));
+    EXPECT_EQ(view().selection.active(), output);
+}
+
 TEST(Statistics, are_one_line_in_plain_words)
 {
     ui::PictureReading picture;
