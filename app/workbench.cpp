@@ -36,11 +36,13 @@ bool same_picture(const renderer::PictureRequest& a, const renderer::PictureRequ
     return a.program == b.program && a.frame == b.frame && a.view == b.view && a.stereo == b.stereo;
 }
 
-// "cpu", or "gpu" with the driver's own name for it.
+// "CPU", or "GPU" with the driver's own name for it.
 std::string device_words(const renderer::RenderStatus& status)
 {
-    std::string device = status.device;
-    return device == "gpu" ? device + " " + status.gpu.substr(0, status.gpu.find_first_of("(,/")) : device;
+    std::string_view device = status.device;
+    if (device != "gpu") return device == "cpu" ? "CPU" : status.device;
+    std::string name = status.gpu.substr(0, status.gpu.find_first_of("(,/"));
+    return "GPU " + name.substr(0, name.find_last_not_of(' ') + 1);
 }
 
 // Before there is a window: a scene that cannot be opened is the command line's error.
@@ -310,7 +312,7 @@ void Workbench::play_script()
     Script::Stage stage{
         .input = window_.input,
         .rects = editor_.rects,
-        .settled = finished && window_.input.empty() && !ImGui::IsAnyItemActive(),
+        .settled = finished && window_.input.empty() && !ImGui::IsAnyMouseDown(),
         .take_screenshot =
             [&](const std::filesystem::path& path) {
                 glm::ivec2 size = window_.size_px();

@@ -324,6 +324,7 @@ private:
         Operation end{Operation::Kind::end_block};
         end.counter = life(block.copy).counter;
         end.copies = block.copies;
+        if (block.needed != graph::no_value) end.needed = value_of(program_, block.needed).slot;
         end.body = static_cast<int>(evaluator_.operations_.size() - hoisted_.size() - bodies_.back());
         evaluator_.operations_.push_back(end);
         open_.pop_back();
@@ -414,6 +415,12 @@ const float* Evaluator::Workspace::result(int lane) const
     return rows_ + static_cast<std::ptrdiff_t>(evaluator_->result_rows_[index(lane)]) * row_width;
 }
 
+float Evaluator::copies(const Operation& end_of_block, std::span<const float> block)
+{
+    auto all = static_cast<float>(end_of_block.copies);
+    return end_of_block.needed < 0 ? all : std::min(all, block[index(end_of_block.needed)]);
+}
+
 void Evaluator::evaluate(Workspace& workspace, std::span<const float> block, int count) const
 {
     assert(workspace.evaluator_ == this && count <= row_width);
@@ -437,8 +444,7 @@ void Evaluator::evaluate(Workspace& workspace, std::span<const float> block, int
             case Operation::Kind::begin_block: counters[operation->counter] = 0; break;
             case Operation::Kind::end_block:
                 counters[operation->counter] += 1;
-                if (counters[operation->counter] < static_cast<float>(operation->copies))
-                    operation -= operation->body + 1;
+                if (counters[operation->counter] < copies(*operation, block)) operation -= operation->body + 1;
                 break;
         }
     }

@@ -58,8 +58,10 @@ private:
         int first_operand = 0;                  // of a call, spread or copy; the last two have one
         int lanes = 0;                          // of a spread or copy
         int counter = 0, copies = 0, body = 0;  // of blocks; body: operations from the body's first to the block's end
+        int needed = -1;                        // of a block's end: slot of the number of copies that differ
     };
     class Compiler;
+    static float copies(const Operation& end_of_block, std::span<const float> block);
 
     std::vector<Operation> operations_;
     std::vector<Operand> operands_;

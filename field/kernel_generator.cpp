@@ -94,6 +94,26 @@ std::string stored(const Library& library, const Type& type, const std::string& 
     return text;
 }
 
+std::string list_declaration(int n, const std::string& count)
+{
+    std::string name = std::to_string(n), argument = "a" + name;
+    return "    const List l" + name + "{list_data + int(" + argument + "[0]), " + count + "};\n";
+}
+
+std::string length_read(int n) { return "int(a" + std::to_string(n) + "[1])"; }
+
+// No loop around a loop of unknown length is vectorised: each of the usual lengths of a list has a loop of its own, in
+// which the compiler unrolls the function's.
+std::string by_list_length(int n, const std::string& loop)
+{
+    constexpr int usual_length = 8;
+    std::string text = "    switch (" + length_read(n) + ") {\n";
+    for (int length = 0; length <= usual_length; ++length)
+        text += "    case " + std::to_string(length) + ": {\n" + list_declaration(n, std::to_string(length)) + loop +
+                "    return;\n    }\n";
+    return text + "    }\n" + list_declaration(n, length_read(n)) + loop;
+}
+
 std::string kernel(const Library& library, const KernelSource& source, bool uniform)
 {
     const Function& function = *source.function;
@@ -101,6 +121,7 @@ std::string kernel(const Library& library, const KernelSource& source, bool unif
                        "(float* __restrict r, const float* const* a, const glm::vec4* list_data, int count)\n{\n    "
                        "(void)list_data;\n";
     std::string arguments;
+    std::vector<int> lists;
     for (std::size_t n = 0; n < function.arguments.size(); ++n) {
         const Type& type = function.arguments[n].type;
         std::string name = "a" + std::to_string(n);
@@ -108,8 +129,7 @@ std::string kernel(const Library& library, const KernelSource& source, bool unif
         int k = 0;
         std::string argument;
         if (type.base == BaseType::list) {
-            text +=
-                "    const List l" + std::to_string(n) + "{list_data + int(" + name + "[0]), int(" + name + "[1])};\n";
+            lists.push_back(static_cast<int>(n));
             argument = "l" + std::to_string(n);
         } else if (uniform && source.single[n]) {
             std::string value =
@@ -122,10 +142,13 @@ std::string kernel(const Library& library, const KernelSource& source, bool unif
         }
         arguments += (n > 0 ? ", " : "") + argument;
     }
-    text += "#pragma GCC ivdep\n    for (int i = 0; i < count; i++) {\n        const " + function.result.name +
-            " v = " + function.name + "(" + arguments + ");\n";
     int k = 0;
-    return text + stored(library, function.result, "v", k) + "    }\n}\n\n";
+    std::string loop = "#pragma GCC ivdep\n    for (int i = 0; i < count; i++) {\n        const " +
+                       function.result.name + " v = " + function.name + "(" + arguments + ");\n" +
+                       stored(library, function.result, "v", k) + "    }\n";
+    if (lists.size() == 1 && function.loop_iterations > 0) return text + by_list_length(lists[0], loop) + "}\n\n";
+    for (int n : lists) text += list_declaration(n, length_read(n));
+    return text + loop + "}\n\n";
 }
 
 class Generator {

@@ -219,7 +219,9 @@ Lowering::FieldValue Lowering::block(int index, Context context, bool may_divide
     for (const Argument& argument : type.function("point")->arguments)
         if (argument.role == Role::p) point_argument(index, argument.type, context);
 
+    ValueId needed = type.function("copies") ? node_call(index, "copies", context, {}) : no_value;
     std::size_t start = builder_.begin_block(type.copies, node(index).id);
+    if (needed != no_value && builder_.rate(needed) != Rate::point) builder_.set_needed(start, needed);
     double outer_copies = copies_;
     if (counting_) loop_iterations_ += copies_ * type.copies;
     copies_ *= type.copies;

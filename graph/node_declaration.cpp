@@ -341,6 +341,9 @@ private:
         if (type_.copies > 1 &&
             (!argument_named(type_.function("point"), "copy") || !argument_named(type_.function("distance"), "acc")))
             fail(1, "a node with `copies` defines `_point(p, ..., copy)` and `_distance(acc, d)`");
+        if (const Function* count = type_.function("copies");
+            count && (count->result.base != BaseType::integer || type_.copies < 2))
+            fail(count->line, "`" + count->name + "` returns an int: how many of its `copies` differ");
     }
 
     NodeType type_;

@@ -33,7 +33,8 @@ struct Instruction {
     // Blocks only.
     std::int32_t body_end = 0;  // index after the last instruction of the body
     std::int32_t copies = 0;
-    ValueId copy = no_value;                            // int value: 0 .. copies-1
+    ValueId copy = no_value;    // int value: 0 .. copies-1
+    ValueId needed = no_value;  // int value of constant or frame rate: the copies from here on repeat earlier ones
     std::int32_t first_carried = 0, carried_count = 0;  // into Program::carried
     bool is_block() const { return copies > 0; }
 };

@@ -35,6 +35,7 @@ public:
     // Blocks of the sequence being emitted.
     std::size_t begin_block(int copies, NodeId node);
     ValueId copy_of(std::size_t block) const { return sequence_[block].copy; }
+    void set_needed(std::size_t block, ValueId count) { sequence_[block].needed = count; }
     void end_block(std::size_t block, std::span<const Carried> carried);
 
     std::size_t position() const { return sequence_.size(); }

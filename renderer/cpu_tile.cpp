@@ -10,7 +10,9 @@ namespace {
 
 using field::row_width;
 
-constexpr int tile_pixels = tile_width * tile_height;
+// Lanes a whole number of pages apart would share a few places of the cache.
+constexpr int pool_capacity = tile_width * tile_height + 16;
+constexpr int refill_share = 8;  // probes move when one in so many is done
 
 // Lanes of a pool's pixels into a row, side by side.
 void gather(Rows& to, int to_lane, const Rows& pool, int pool_lane, int lanes, std::span<const int> pixels)
@@ -71,16 +73,16 @@ TileRenderer::TileRenderer(const CpuScene& scene)
       surface_(scene.surface, scene.block),
       ray_(scene.ray, scene.block),
       sky_(scene.sky, scene.block),
-      eyes_(scene.lanes.probe, tile_pixels),
-      shadows_(scene.lanes.probe, tile_pixels),
-      remaining_(1, tile_pixels),
-      direction_(3, tile_pixels),
-      forward_share_(1, tile_pixels),
-      position_(3, tile_pixels),
-      normal_(3, tile_pixels),
-      ids_(2, tile_pixels),
-      lit_(std::max(scene.shadow_count, 1), tile_pixels),
-      colour_(3, tile_pixels),
+      eyes_(scene.lanes.probe, pool_capacity),
+      shadows_(scene.lanes.probe, pool_capacity),
+      remaining_(1, pool_capacity),
+      direction_(3, pool_capacity),
+      forward_share_(1, pool_capacity),
+      position_(3, pool_capacity),
+      normal_(3, pool_capacity),
+      ids_(2, pool_capacity),
+      lit_(std::max(scene.shadow_count, 1), pool_capacity),
+      colour_(3, pool_capacity),
       marching_(scene.lanes.probe),
       advanced_(scene.lanes.probe),
       point_(3),
@@ -135,15 +137,15 @@ void TileRenderer::start_eyes(const Area& area)
 // Walks the waiting pixels' probes to their end. Rows stay filled: probes that are done make room for waiting ones.
 bool TileRenderer::march(Rows& probes, Pixels waiting)
 {
-    std::size_t next = 0;
-    for (int active = 0;;) {
-        active = take_waiting(probes, waiting, next, active);
-        if (active == 0) return true;
+    int active = 0;
+    while (active < row_width && !waiting.empty()) take_waiting(probes, waiting, active++);
+    while (active > 0) {
         if (stops()) return false;
-        while (4 * step(active) < active) {
+        while (refill_share * step(active) < active) {
         }
-        active = put_back_done(probes, active);
+        active = replace_done(probes, waiting, active);
     }
+    return true;
 }
 
 // Tiles of heavy scenes take tens of milliseconds, steps of light ones less than asking.
@@ -155,13 +157,11 @@ bool TileRenderer::stops()
     return watch_->stops();
 }
 
-int TileRenderer::take_waiting(const Rows& probes, Pixels waiting, std::size_t& next, int active)
+void TileRenderer::take_waiting(const Rows& probes, Pixels& waiting, int to)
 {
-    for (; active < row_width && next < waiting.size(); ++active, ++next) {
-        marching_.copy(active, probes, waiting[next]);
-        pixel_of_[static_cast<std::size_t>(active)] = waiting[next];
-    }
-    return active;
+    marching_.copy(to, probes, waiting.front());
+    pixel_of_[static_cast<std::size_t>(to)] = waiting.front();
+    waiting = waiting.subspan(1);
 }
 
 // One distance for each probe; how many of them are done.
@@ -175,21 +175,20 @@ int TileRenderer::step(int active)
     return static_cast<int>(std::count(done_.lane(0), done_.lane(0) + active, 1.0f));
 }
 
-// The rest moves together; how many are left.
-int TileRenderer::put_back_done(Rows& probes, int active)
+// Waiting probes take the places of those that are done, then the last ones do; how many there are.
+int TileRenderer::replace_done(Rows& probes, Pixels& waiting, int active)
 {
-    int left = 0;
-    for (int i = 0; i < active; ++i) {
-        int pixel = pixel_of_[static_cast<std::size_t>(i)];
-        if (done_.lane(0)[i] > 0.5f) {
-            probes.copy(pixel, marching_, i);
-        } else {
-            marching_.copy(left, marching_, i);
-            pixel_of_[static_cast<std::size_t>(left)] = pixel;
-            ++left;
+    for (int i = active - 1; i >= 0; --i) {
+        if (done_.lane(0)[i] < 0.5f) continue;
+        probes.copy(pixel_of_[static_cast<std::size_t>(i)], marching_, i);
+        if (!waiting.empty()) {
+            take_waiting(probes, waiting, i);
+        } else if (i != --active) {
+            marching_.copy(i, marching_, active);
+            pixel_of_[static_cast<std::size_t>(i)] = pixel_of_[static_cast<std::size_t>(active)];
         }
     }
-    return left;
+    return active;
 }
 
 // Hits and misses of the eye rays, and where the hits are.

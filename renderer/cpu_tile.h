@@ -35,9 +35,9 @@ private:
     void start_eyes(const Area& area);
     bool march(Rows& probes, Pixels waiting);
     bool stops();
-    int take_waiting(const Rows& probes, Pixels waiting, std::size_t& next, int active);
+    void take_waiting(const Rows& probes, Pixels& waiting, int to);
     int step(int active);
-    int put_back_done(Rows& probes, int active);
+    int replace_done(Rows& probes, Pixels& waiting, int active);
     void sort_pixels(Pixels pixels);
     bool cast_shadows(int light);
     void shade_hits(Pixels pixels);

@@ -166,8 +166,7 @@ bool AddMenu::search_field(FrameContext& frame)
 {
     if (opening_) frame.focus_next_text();
     ImGui::SetNextItemWidth(-1);
-    std::string hint =
-        std::string(icon::search) + "  " + (place_.end || place_.on_wire ? "Search what fits" : "Search nodes to add");
+    std::string hint = place_.end || place_.on_wire ? "Search what fits" : "Search nodes to add";
     std::string before = query_;
     ImGui::PushStyleColor(ImGuiCol_FrameBg, colour::window);
     bool entered = ImGui::InputTextWithHint("##search", hint.c_str(), &query_,

@@ -236,7 +236,7 @@ void CanvasPainter::row_value(const CanvasNode& node, std::size_t row, float lef
 // A muted node is dimmed, and shows what it passes on: its first wired shape, or nothing.
 void CanvasPainter::bypass_line(const CanvasNode& node, const Box& box_px)
 {
-    list_.AddRectFilled(im(box_px.low), im(box_px.high), colour::with_alpha(colour::canvas, 0.35f), px(node_rounding));
+    list_.AddRectFilled(im(box_px.low), im(box_px.high), colour::with_alpha(colour::canvas, 0.15f), px(node_rounding));
     float width = std::max(px(2), theme_.px(1));
     for (std::size_t row = 0; row < node.input_count(); ++row) {
         if (!node.node->input(node.input_name(row)) || !has_output(node.type)) continue;

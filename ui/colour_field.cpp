@@ -103,6 +103,11 @@ bool colour_field(FrameContext& frame, std::string_view path, std::string_view n
     ImGui::SameLine(0, frame.theme.gap());
     bool changed = hex_field(frame, name, linear, hex_width);
     frame.rects.mark(std::string(path) + "/hex");
+    // Beside the swatch, which shows what is picked.
+    ImVec2 window = ImGui::GetMainViewport()->Size, room(frame.theme.px(244), frame.theme.px(252));
+    float below = low.y + size.y + frame.theme.gap(), above = low.y - frame.theme.gap() - room.y;
+    ImGui::SetNextWindowPos({std::max(std::min(low.x, window.x - room.x), 0.0f),
+                             below + room.y < window.y ? below : std::max(above, 0.0f)});
     if (ImGui::BeginPopup("picker")) {
         changed |= picker(frame, path, name, linear);
         ImGui::EndPopup();

@@ -23,10 +23,10 @@ inline constexpr const char *palette = "\xef\x87\xbc", *sliders = "\xef\x87\x9e"
                             *crosshair = "\xef\x81\x9b";
 inline constexpr const char *arrow_up = "\xef\x81\xa2", *arrow_down = "\xef\x81\xa3", *arrow_left = "\xef\x81\xa0",
                             *arrow_right = "\xef\x81\xa1";
-inline constexpr const char *chevron_right = "\xef\x81\x94", *chevron_down = "\xef\x81\xb8", *pencil = "\xef\x81\x80",
+inline constexpr const char *chevron_right = "\xef\x84\x85", *chevron_down = "\xef\x84\x87", *pencil = "\xef\x81\x80",
                             *move = "\xef\x81\x87";
 inline constexpr const char *gauge = "\xef\x83\xa4", *cloud = "\xef\x83\x82", *reset = "\xef\x80\xa1",
                             *link = "\xef\x83\x81", *unlink = "\xef\x84\xa7", *dot_on = "\xef\x86\x92",
-                            *dot_off = "\xef\x84\x8c", *home = "\xef\x80\x95";
+                            *dot_off = "\xef\x84\x8c", *home = "\xef\x80\x95", *number = "\xef\x8a\x92";
 
 }  // namespace fieldwright::ui::icon

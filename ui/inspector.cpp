@@ -83,7 +83,9 @@ void header(FrameContext& frame, const graph::Node& node, const graph::NodeType*
     ImGui::BeginDisabled(!type);
     mute_button(frame, "inspector/mute", *frame.draft.document.root.find(node.id));
     ImGui::EndDisabled();
-    std::string words = type ? type->title + " · " + category_title(type->category) : "Unknown type “" + node.type + "”";
+    std::string words = type ? type->title : "Unknown type “" + node.type + "”";
+    if (std::string category = type ? category_title(type->category) : words; category != words)
+        words += " · " + category;
     line_text(frame, words, colour::quiet_text,
               std::max(ImGui::GetContentRegionAvail().x - theme.px(type && type->is_field() ? 96 : 0), theme.px(40)));
     if (type && type->is_field()) quality_badge(frame, *type);

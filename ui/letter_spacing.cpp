@@ -13,7 +13,7 @@ namespace fieldwright::ui {
 namespace {
 
 constexpr float smallest_crisp_px = 12;  // of smaller letters a pixel is too much to be out of place
-constexpr ImWchar first_icon = 0xe000;  // Unicode's private use
+constexpr ImWchar first_icon = 0xe000;   // Unicode's private use
 
 bool is_digit(ImWchar letter) { return letter >= '0' && letter <= '9'; }
 

@@ -18,14 +18,14 @@ struct Tab {
 };
 
 constexpr Tab tabs[] = {
-    {Panel::materials, "materials", "Materials", "Materials: what surfaces are made of"},
-    {Panel::lights, "lights", "Lights", "Lights"},
-    {Panel::camera, "camera", "Camera", "Camera and sky"},
-    {Panel::cost, "cost", "Cost", "Cost: what the scene asks of the machine, and the steps heatmap"},
-    {Panel::stereo, "stereo", "Stereo", "Stereo: red-cyan pictures for two eyes"},
-    {Panel::shader, "shader", "Shader", "Shader: the live GLSL of the scene, and its export"},
-    {Panel::problems, "problems", "Problems", "Problems of the scene"},
-    {Panel::history, "history", "History", "History: the steps that were made"},
+    {Panel::materials, "materials", "Materials", "What surfaces are made of"},
+    {Panel::lights, "lights", "Lights", "What shines: the sun and lamps"},
+    {Panel::camera, "camera", "Camera", "Where the picture is seen from, and the sky behind it"},
+    {Panel::cost, "cost", "Cost", "What the scene asks of the machine, and the steps heatmap"},
+    {Panel::stereo, "stereo", "Stereo", "Red-cyan pictures for two eyes"},
+    {Panel::shader, "shader", "Shader", "The live GLSL of the scene, and its export"},
+    {Panel::problems, "problems", "Problems", "What is wrong with the scene, and where"},
+    {Panel::history, "history", "History", "The steps that were made; click one to go back to it"},
 };
 
 std::string count_text(std::size_t count) { return count > 99 ? "99+" : std::to_string(count); }

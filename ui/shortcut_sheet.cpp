@@ -18,22 +18,22 @@ struct Gesture {
     const char *hand, *place, *what;
 };
 constexpr Gesture gestures[] = {
-    {"Drag, middle drag", "viewport", "Orbit"},
-    {"Shift+drag", "viewport", "Pan"},
-    {"Ctrl+drag, wheel", "viewport", "Come closer"},
-    {"Click", "viewport", "Select what is seen"},
-    {"Drag", "canvas", "Select in a box"},
-    {"Right drag, middle drag", "canvas", "Pan"},
-    {"Wheel", "canvas", "Zoom"},
-    {"Drag from a pin", "canvas", "Wire"},
-    {"Drop on a wire", "canvas", "Insert; Alt: do not"},
-    {"Ctrl+right drag", "canvas", "Cut wires"},
-    {"Alt+click a pin", "canvas", "Remove its wires"},
-    {"Right click", "canvas", "Open a menu"},
+    {"Drag, middle drag", "Viewport", "Orbit"},
+    {"Shift+drag", "Viewport", "Pan"},
+    {"Ctrl+drag, wheel", "Viewport", "Come closer"},
+    {"Click", "Viewport", "Select what is seen"},
+    {"Drag", "Node canvas", "Select in a box"},
+    {"Right drag, middle drag", "Node canvas", "Pan"},
+    {"Wheel", "Node canvas", "Zoom"},
+    {"Drag from a pin", "Node canvas", "Wire"},
+    {"Drop on a wire", "Node canvas", "Insert; Alt: do not"},
+    {"Ctrl+right drag", "Node canvas", "Cut wires"},
+    {"Alt+click a pin", "Node canvas", "Remove its wires"},
+    {"Right click", "Node canvas", "Open a menu"},
 };
 
 struct Row {
-    std::string keys, title, place;
+    std::string keys, title;
     std::string mark = {};
 };
 struct Section {
@@ -55,15 +55,16 @@ std::string all_shortcuts(const Command& command)
     return joined;
 }
 
-// Where it works, when that is not everywhere.
-std::string place_of(const Command& command)
+// Where it works; its menu when that is everywhere.
+std::string section_of(const Command& command)
 {
     auto has = [&](Scope scope) {
         return std::any_of(command.shortcuts.begin(), command.shortcuts.end(),
                            [&](const Shortcut& shortcut) { return shortcut.scope == scope; });
     };
-    if (has(Scope::everywhere) || (has(Scope::canvas) && has(Scope::viewport))) return {};
-    return has(Scope::canvas) ? "canvas" : "viewport";
+    if (has(Scope::everywhere) || (has(Scope::canvas) && has(Scope::viewport)))
+        return command.menu.substr(0, command.menu.find('/'));
+    return has(Scope::canvas) ? "Node canvas" : "Viewport";
 }
 
 std::string without_dots(std::string title)
@@ -73,18 +74,22 @@ std::string without_dots(std::string title)
     return title;
 }
 
+Section& section_called(const std::string& title, std::vector<Section>& sections)
+{
+    auto found = std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.title == title; });
+    return found == sections.end() ? sections.emplace_back(Section{title, {}}) : *found;
+}
+
 std::vector<Section> sections_of(std::span<const Command> commands)
 {
     std::vector<Section> sections;
     for (const Command& command : commands) {
         if (command.shortcuts.empty()) continue;
-        std::string title = command.menu.substr(0, command.menu.find('/'));
-        auto found = std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.title == title; });
-        if (found == sections.end()) found = sections.insert(found, {title, {}});
-        found->rows.push_back({all_shortcuts(command), without_dots(command.title), place_of(command), command.id});
+        section_called(section_of(command), sections)
+            .rows.push_back({all_shortcuts(command), without_dots(command.title), command.id});
     }
-    Section& mouse = sections.emplace_back(Section{"Mouse", {}});
-    for (const Gesture& gesture : gestures) mouse.rows.push_back({gesture.hand, gesture.what, gesture.place});
+    for (const Gesture& gesture : gestures)
+        section_called(gesture.place, sections).rows.push_back({gesture.hand, gesture.what});
     return sections;
 }
 
@@ -116,12 +121,6 @@ void draw_row(FrameContext& frame, const Row& row, float x, float keys_width)
     ImGui::SameLine();
     ImGui::SetCursorPosX(x + keys_width);
     ImGui::TextUnformatted(row.title.c_str());
-    if (!row.place.empty()) {
-        ImGui::SameLine();
-        ImGui::PushStyleColor(ImGuiCol_Text, colour::with_alpha(colour::quiet_text, 0.7f));
-        ImGui::TextUnformatted(row.place.c_str());
-        ImGui::PopStyleColor();
-    }
     ImVec2 high = ImGui::GetItemRectMax();
     if (!row.mark.empty()) frame.rects.mark("sheet/" + row.mark, {{low.x, low.y}, {high.x, high.y}});
 }
@@ -139,19 +138,40 @@ void draw_section(FrameContext& frame, const Section& section, float x, float ke
     ImGui::Dummy({0, frame.theme.px(8)});
 }
 
+struct Widths {
+    float keys = 0, titles = 0;
+};
+
+Widths widths_of(const Column& column)
+{
+    Widths widths;
+    for (const Section* section : column)
+        for (const Row& row : section->rows) {
+            widths.keys = std::max(widths.keys, ImGui::CalcTextSize(row.keys.c_str()).x);
+            widths.titles = std::max(widths.titles, ImGui::CalcTextSize(row.title.c_str()).x);
+        }
+    return widths;
+}
+
+// Each as wide as its words, closer together where there is less room.
 void draw_columns(FrameContext& frame, const std::vector<Section>& sections)
 {
-    float keys_width = 0;
-    for (const Section& section : sections)
-        for (const Row& row : section.rows) keys_width = std::max(keys_width, ImGui::CalcTextSize(row.keys.c_str()).x);
-    keys_width += frame.theme.px(16);
-    std::vector<Column> columns = columns_of(sections);
-    float width = ImGui::GetContentRegionAvail().x / static_cast<float>(columns.size());
+    const Theme& theme = frame.theme;
     ImVec2 start = ImGui::GetCursorPos();
+    std::vector<Column> columns = columns_of(sections);
+    std::vector<Widths> widths;
+    float room = ImGui::GetMainViewport()->Size.x - theme.px(72), x = start.x;
+    for (const Column& column : columns) {
+        widths.push_back(widths_of(column));
+        widths.back().keys += theme.px(12);
+        room -= widths.back().keys + widths.back().titles;
+    }
+    float gap = std::floor(
+        std::clamp(room / static_cast<float>(std::max(columns.size(), std::size_t{2}) - 1), theme.px(8), theme.px(40)));
     for (std::size_t i = 0; i < columns.size(); ++i) {
         ImGui::SetCursorPosY(start.y);
-        for (const Section* section : columns[i])
-            draw_section(frame, *section, start.x + width * static_cast<float>(i), keys_width);
+        for (const Section* section : columns[i]) draw_section(frame, *section, x, widths[i].keys);
+        x += widths[i].keys + widths[i].titles + gap;
     }
 }
 
@@ -165,13 +185,12 @@ void ShortcutSheet::draw(FrameContext& frame, std::span<const Command> commands)
     if (!ImGui::IsPopupOpen(name)) return;
     const Theme& theme = frame.theme;
     const ImGuiViewport& window = *ImGui::GetMainViewport();
-    float width = std::min(theme.px(1200), window.Size.x - theme.px(32));
     ImGui::SetNextWindowPos(
         {std::floor(window.Pos.x + window.Size.x / 2), std::floor(window.Pos.y + window.Size.y / 2)}, ImGuiCond_Always,
         {0.5f, 0.5f});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.Size.y - theme.px(32)});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.Size.x - theme.px(32), window.Size.y - theme.px(32)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(20), theme.px(16)});
-    bool open = ImGui::BeginPopup(name, ImGuiWindowFlags_NoMove);
+    bool open = ImGui::BeginPopup(name, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
     if (!open) return;
     ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();

@@ -21,7 +21,7 @@ struct Words {
     std::string_view name, words;
 };
 constexpr Words views[] = {
-    {"beauty", "Beauty"}, {"steps", "Steps heatmap"}, {"normal", "Normal"}, {"depth", "Depth"}, {"id", "Node ids"}};
+    {"beauty", "Beauty"}, {"steps", "Steps heatmap"}, {"normal", "Normal"}, {"depth", "Depth"}, {"id", "Nodes"}};
 constexpr Words stereos[] = {{"off", "Stereo off"}, {"naive", "Naive anaglyph"}, {"dubois", "Dubois anaglyph"}};
 
 template <std::size_t count>
@@ -112,14 +112,19 @@ void draw_time(FrameContext& frame)
     ImGui::SameLine();
     float seconds = static_cast<float>(view.time_s);
     ImGui::SetNextItemWidth(frame.theme.px(96));
-    // The knob would hide the number.
-    ImGui::PushStyleColor(ImGuiCol_SliderGrab, colour::with_alpha(colour::quiet_text, 0.5f));
-    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, colour::with_alpha(colour::accent, 0.6f));
+    // A knob would hide the number.
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, IM_COL32(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, IM_COL32(0, 0, 0, 0));
     if (ImGui::SliderFloat("##time", &seconds, 0, static_cast<float>(view.loop_s), "%.2f s",
                            ImGuiSliderFlags_AlwaysClamp))
         view.time_s = seconds;
     ImGui::PopStyleColor(2);
     frame.rects.mark("viewport/time");
+    ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    float inset = frame.theme.px(6), share = std::clamp(static_cast<float>(view.time_s / view.loop_s), 0.0f, 1.0f);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({low.x + inset, high.y - frame.theme.px(4)},
+                       {glm::mix(low.x + inset, high.x - inset, share), high.y - frame.theme.px(2)}, colour::text, 1);
     tooltip("Time of the scene", "");
 }
 

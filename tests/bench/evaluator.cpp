@@ -40,7 +40,8 @@ private:
 std::string compiler_flags()
 {
     std::string flags =
-        "-std=c++20 -O3 -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffinite-math-only -ffp-contract=off";
+        "-std=c++20 -O3 -fno-thread-jumps -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffinite-math-only "
+        "-ffp-contract=off";
     std::string_view set = field::kernels().instruction_set;
     if (set == "avx2") flags += " -mavx2";
     if (set == "avx512") flags += " -mavx512f -mavx512dq -mavx512bw -mavx512vl -mprefer-vector-width=512";

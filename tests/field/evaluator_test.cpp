@@ -297,6 +297,93 @@ TEST(Evaluator, ManyBlocksInsideABlockCountTheirOwnCopies)
     expect_as_plainly_evaluated(graph::lower(scene.document, scene.library));
 }
 
+// Of copies to either side along an axis that has no others, one is enough.
+TEST(Evaluator, CopiesThatRepeatOthersAreLeftOut)
+{
+    Scene scene;
+    NodeId repeat = scene.add("repeat", {{"d", scene.add("box")}});
+    scene.set(repeat, "spacing", glm::vec3(2, 0, 3));
+    NodeId limited = scene.add("repeat_limited", {{"d", scene.add("box")}});
+    scene.set(limited, "count", glm::vec3(1, 1, 4));
+    scene.add("output", {{"d", scene.add("union", {{"a", repeat}, {"b", limited}})}});
+    graph::Program program = graph::lower(scene.document, scene.library);
+    std::vector<float> block = evaluate_frame(program, 0), needed;
+    for (int i = program.distance.first; i < program.distance.last; ++i) {
+        const graph::Instruction& instruction = program.instructions[static_cast<std::size_t>(i)];
+        if (!instruction.is_block()) continue;
+        ASSERT_NE(instruction.needed, graph::no_value);
+        int slot = program.values[static_cast<std::size_t>(instruction.needed)].slot;
+        needed.push_back(block[static_cast<std::size_t>(slot)]);
+    }
+    EXPECT_EQ(needed, (std::vector<float>{4, 2}));
+    expect_as_plainly_evaluated(program);
+}
+
+TEST(Evaluator, CopiesThatVaryFromPointToPointAreAllNeeded)
+{
+    Scene scene;
+    NodeId repeat = scene.add("repeat", {{"d", scene.add("sphere")}, {"spacing", scene.add("position")}});
+    scene.add("output", {{"d", repeat}});
+    graph::Program program = graph::lower(scene.document, scene.library);
+    for (const graph::Instruction& instruction : program.instructions) EXPECT_EQ(instruction.needed, graph::no_value);
+    expect_as_plainly_evaluated(program);
+}
+
+// Turned by an angle in proportion to its height, (1, y, 0) shows the cosine in x and the sine in -z.
+TEST(Evaluator, SinesAndCosinesAreExactUpToTenThousand)
+{
+    int count = 0;
+    const KernelTable* const* tables = runnable_kernels(count);
+    std::mt19937 random(11);
+    std::vector<float> p(3 * row_width, 0), turned(3 * row_width);
+    const float turn = 1;
+    const float* arguments[] = {p.data(), &turn};
+    for (float reach : {1.0f, 10.0f, 1e4f})
+        for (int table = 0; table < count; ++table) {
+            std::uniform_real_distribution<float> angle(-reach, reach);
+            for (int i = 0; i < row_width; ++i) {
+                p[static_cast<std::size_t>(i)] = 1;
+                p[static_cast<std::size_t>(row_width + i)] = angle(random);
+            }
+            find_kernel(*tables[table], "twist_point")->uniform(turned.data(), arguments, nullptr, row_width);
+            for (std::size_t i = 0; i < row_width; ++i) {
+                double exact = p[row_width + i];
+                EXPECT_NEAR(turned[i], std::cos(exact), 2e-7) << exact;
+                EXPECT_NEAR(turned[2 * row_width + i], -std::sin(exact), 2e-7) << exact;
+            }
+        }
+}
+
+// Lists of few points have loops of their own.
+TEST(Evaluator, APolylineOfAnyLengthIsTheNearestOfItsSegments)
+{
+    std::vector<glm::vec3> points = scattered_points(500);
+    for (int length : {1, 2, 3, 7, 8, 9, 20}) {
+        SCOPED_TRACE(length);
+        graph::PointList corners;
+        for (int i = 0; i < length; ++i) {
+            auto angle = static_cast<float>(i);
+            corners.emplace_back(0.1f * angle * std::cos(angle), 0.1f * angle * std::sin(angle), 0, 0);
+        }
+        Scene scene;
+        NodeId line = scene.add("polyline");
+        scene.set(line, "points", corners);
+        scene.set(line, "thickness", 0.2f);
+        scene.add("output", {{"d", line}});
+        std::vector<float> measured = scene.distances_at(points);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            glm::vec2 p(points[k]);
+            float nearest = glm::length(p - glm::vec2(corners[0]));
+            for (std::size_t i = 1; i < corners.size(); ++i) {
+                glm::vec2 start(corners[i - 1]), along = glm::vec2(corners[i]) - start;
+                float share = glm::clamp(glm::dot(p - start, along) / glm::dot(along, along), 0.0f, 1.0f);
+                nearest = std::min(nearest, glm::length(p - start - share * along));
+            }
+            EXPECT_NEAR(measured[k], nearest - 0.1f, 1e-5f);
+        }
+    }
+}
+
 TEST(Evaluator, AnEditedNodeIsNotRunAsTheOneBuiltIn)
 {
     std::map<std::string, std::string> texts = graph::embedded_texts();

@@ -101,6 +101,18 @@ TEST(Dialect, ANodeMustSayWhatItsParametersAre)
               std::string::npos);
 }
 
+TEST(Dialect, HowManyCopiesDifferIsAnInt)
+{
+    std::string text =
+        "// Bad: a test.\n// field: exact\n// copies: 2\nvec3 bad_point(vec3 p, int copy)\n{\n    return p;\n}\n"
+        "int bad_copies()\n{\n    return 1;\n}\n"
+        "float bad_distance(float acc, float d)\n{\n    return min(acc, d);\n}\n"
+        "Box bad_bounds(Box child) { return child; }\n";
+    EXPECT_EQ(refusal(text), "accepted");
+    text.replace(text.find("int bad"), 3, "float");
+    EXPECT_NE(refusal(text).find("how many of its `copies` differ"), std::string::npos);
+}
+
 TEST(Dialect, WhetherBShowsIsABool)
 {
     std::string text =

@@ -142,6 +142,29 @@ TEST(Palette, runs_what_is_clicked_and_what_the_arrows_reach)
     EXPECT_EQ(driver.editor.view.stereo, "dubois");
 }
 
+TEST(Palette, closes_with_escape)
+{
+    Driver driver(first_example());
+    driver.key(ui::key::f3);
+    ASSERT_TRUE(driver.shows("palette/search"));
+    driver.key(ui::key::escape);
+    driver.frame();
+    EXPECT_FALSE(driver.shows("palette/search"));
+}
+
+TEST(Popups, close_with_escape_and_nothing_else_happens)
+{
+    Driver driver(first_example());
+    graph::NodeId node = driver.document.root.nodes.front().id;
+    driver.editor.view.selection.only(node);
+    driver.click("viewport/stereo");
+    ASSERT_TRUE(driver.shows("viewport/stereo/dubois"));
+    driver.key(ui::key::escape);
+    driver.frame();
+    EXPECT_FALSE(driver.shows("viewport/stereo/dubois"));
+    EXPECT_TRUE(driver.editor.view.selection.contains(node));
+}
+
 TEST(Palette, leaves_out_what_is_not_possible_now)
 {
     Driver driver(first_example());

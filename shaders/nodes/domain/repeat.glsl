@@ -20,14 +20,22 @@ vec3 repeat_cell(
     int copy)
 {
     float index_x = repeat_index(p.x, spacing.x, float(copy % 2));
-    float index_y = repeat_index(p.y, spacing.y, float((copy / 2) % 2));
-    float index_z = repeat_index(p.z, spacing.z, float(copy / 4));
+    int copy_yz = spacing.x > 0.0f ? copy / 2 : copy;
+    float index_y = repeat_index(p.y, spacing.y, float(copy_yz % 2));
+    int copy_z = spacing.y > 0.0f ? copy_yz / 2 : copy_yz;
+    float index_z = repeat_index(p.z, spacing.z, float(copy_z % 2));
     return vec3(index_x, index_y, index_z);
 }
 
 vec3 repeat_point(vec3 p, vec3 spacing, int copy)
 {
     return p - repeat_cell(p, spacing, copy) * spacing;
+}
+
+// Two along each axis that repeats.
+int repeat_copies(vec3 spacing)
+{
+    return (spacing.x > 0.0f ? 2 : 1) * (spacing.y > 0.0f ? 2 : 1) * (spacing.z > 0.0f ? 2 : 1);
 }
 
 float repeat_distance(float acc, float d)

@@ -24,8 +24,10 @@ vec3 repeat_limited_cell(
     int copy)
 {
     float index_x = repeat_limited_index(p.x, spacing.x, count.x, float(copy % 2));
-    float index_y = repeat_limited_index(p.y, spacing.y, count.y, float((copy / 2) % 2));
-    float index_z = repeat_limited_index(p.z, spacing.z, count.z, float(copy / 4));
+    int copy_yz = count.x < 1.5f ? copy : copy / 2;
+    float index_y = repeat_limited_index(p.y, spacing.y, count.y, float(copy_yz % 2));
+    int copy_z = count.y < 1.5f ? copy_yz : copy_yz / 2;
+    float index_z = repeat_limited_index(p.z, spacing.z, count.z, float(copy_z % 2));
     return vec3(index_x, index_y, index_z);
 }
 
@@ -33,6 +35,12 @@ vec3 repeat_limited_point(vec3 p, vec3 spacing, vec3 count, int copy)
 {
     vec3 last = max(floor(count + vec3(0.5f)), vec3(1.0f)) - vec3(1.0f);
     return p - (repeat_limited_cell(p, spacing, count, copy) - 0.5f * last) * spacing;
+}
+
+// Two along each axis with more than one.
+int repeat_limited_copies(vec3 count)
+{
+    return (count.x < 1.5f ? 1 : 2) * (count.y < 1.5f ? 1 : 2) * (count.z < 1.5f ? 1 : 2);
 }
 
 float repeat_limited_distance(float acc, float d)
