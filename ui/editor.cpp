@@ -194,11 +194,15 @@ void Editor::splitter(const char* name, bool vertical, float& share, float low, 
     ImVec2 size = vertical ? ImVec2(right_column ? side : room.x - side, thickness)
                            : ImVec2(thickness, corner.y + room.y - frame.theme.status_line() - at.y);
     ImRect bar(at, {at.x + size.x, at.y + size.y});
-    float after = share * length_px, before = length_px - after;
+    if (high < low) return;  // a window too small to divide
+    // Dear ImGui asserts that neither side gets below its least, which holds for whole numbers only.
+    low = std::ceil(low), high = std::floor(high), length_px = std::round(length_px);
+    float before_least = length_px - high;
+    float after = std::round(std::clamp(share * length_px, low, high)), before = length_px - after;
     ImGui::PushStyleColor(ImGuiCol_Separator, ImVec4(0, 0, 0, 0));
     ImGui::PushID(name);
     if (ImGui::SplitterBehavior(bar, ImGui::GetID("splitter"), vertical ? ImGuiAxis_Y : ImGuiAxis_X, &before, &after,
-                                low, low, frame.theme.px(3)))
+                                before_least, low, frame.theme.px(3)))
         share = std::clamp(after, low, high) / length_px;
     frame.rects.mark(std::string("splitter/") + name, {{bar.Min.x, bar.Min.y}, {bar.Max.x, bar.Max.y}});
     ImGui::PopID();
