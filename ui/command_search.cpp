@@ -80,7 +80,11 @@ std::vector<const Command*> ranked(std::span<const Command* const> commands, con
         }
         if (sum) found.emplace_back(*sum, command);
     }
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    // Of equals, the shorter title says less that was not asked for.
+    auto key = [&](const auto& entry) {
+        return std::pair(entry.first, words.empty() ? 0 : entry.second->title.size());
+    };
+    std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
     std::vector<const Command*> in_order;
     for (const auto& [_, command] : found) in_order.push_back(command);
     return in_order;

@@ -87,6 +87,11 @@ void MenuBar::draw_menu(const std::string& title, const std::string& path)
 
 void MenuBar::draw_entries(const std::string& path)
 {
+    std::vector<const Command*> entries;
+    for (const Command& command : commands_)
+        if (command.menu == path) entries.push_back(&command);
+    std::size_t rows = rows_that_fit();
+    if (entries.size() > rows) return draw_columns(entries, path, rows);
     std::vector<std::string> seen;
     bool first = true;
     for (const Command& command : commands_) {
@@ -102,6 +107,29 @@ void MenuBar::draw_entries(const std::string& path)
         draw_menu(level, path + "/" + level);
         first = false;
     }
+}
+
+std::size_t MenuBar::rows_that_fit() const
+{
+    const Theme& theme = context_->frame.theme;
+    float room = ImGui::GetMainViewport()->Size.y - 2 * theme.menu_bar() - 2 * theme.px(8);
+    return static_cast<std::size_t>(std::max(room / theme.row(), 8.0f));
+}
+
+// A category of the library may be longer than the window is high: columns of one length, read downwards.
+void MenuBar::draw_columns(const std::vector<const Command*>& entries, const std::string& path, std::size_t rows)
+{
+    std::size_t columns = (entries.size() + rows - 1) / rows;
+    rows = (entries.size() + columns - 1) / columns;
+    if (!ImGui::BeginTable("columns", static_cast<int>(columns), ImGuiTableFlags_SizingFixedFit)) return;
+    for (std::size_t row = 0; row < rows; ++row) {
+        ImGui::TableNextRow();
+        for (std::size_t column = 0; column < columns && column * rows + row < entries.size(); ++column) {
+            ImGui::TableSetColumnIndex(static_cast<int>(column));
+            draw_entry(*entries[column * rows + row], path, true);
+        }
+    }
+    ImGui::EndTable();
 }
 
 void MenuBar::draw_separator() const

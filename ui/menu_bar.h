@@ -18,6 +18,8 @@ private:
     void draw_menu(const std::string& title, const std::string& path);
     void draw_entries(const std::string& path);
     void draw_entry(const Command& command, const std::string& path, bool first);
+    std::size_t rows_that_fit() const;
+    void draw_columns(const std::vector<const Command*>& entries, const std::string& path, std::size_t rows);
     void draw_separator() const;
     void draw_title(float left_px, float right_px) const;
     float draw_palette_button();

@@ -52,7 +52,7 @@ TEST_F(Search, words_people_use_come_first)
         {"environment", "gradient"},
         {"hollow", "shell"},
         {"cylinder", "cylinder"},
-        {"offset", "round"},
+        {"offset", "offset"},
         {"Smooth Union", "smooth_union"},
         {"smooth_union", "smooth_union"},
         {"  BOX ", "box"},
@@ -62,7 +62,8 @@ TEST_F(Search, words_people_use_come_first)
         {"constant", "number"},
         {"instance", "cell"},
         {"bevel", "rounded_box"},
-        {"heart", ""},
+        {"heart", "heart"},
+        {"teapot", ""},
     };
     for (auto [query, name] : expected) EXPECT_EQ(first(query), name) << query;
 }

@@ -91,6 +91,17 @@ const std::map<std::string, Make>& scenes()
         }
         made["revolve"] = [](Scene& s) { return wired(s, "revolve", s.node("rectangle")); };
         made["slice"] = [](Scene& s) { return wired(s, "extrude", wired(s, "slice", s.node("torus"))); };
+        // What shows only where something is cut, or cuts.
+        made["nested_shells"] = [](Scene& s) {
+            return wired(s, "clip_plane", wired(s, "nested_shells", s.node("box")));
+        };
+        made["bounded"] = [](Scene& s) {
+            return wired(s, "bounded",
+                         wired(s, "repeat", s.node("sphere", {{"radius", 0.2f}}), {{"spacing", vec3(0.45f)}}));
+        };
+        made["invert"] = [](Scene& s) {
+            return both(s, "intersect", s.node("sphere", {{"radius", 0.65f}}), wired(s, "invert", s.node("box")));
+        };
         made["nothing"] = [](Scene& s) { return s.node("union"); };
         return made;
     }();

@@ -109,9 +109,10 @@ std::map<std::string, std::vector<float>> combiner_rows(const NodeType& type, Ra
         });
     for (const Parameter& parameter : type.parameters)
         fill(parameter.name, [&] {
-            return parameter.kind == ParameterKind::choice
-                       ? static_cast<float>(random.below(static_cast<int>(parameter.choices.size())))
-                       : random_component(random, parameter, std::get<float>(parameter.initial));
+            if (parameter.kind == ParameterKind::choice)
+                return static_cast<float>(random.below(static_cast<int>(parameter.choices.size())));
+            if (const int* whole = std::get_if<int>(&parameter.initial)) return static_cast<float>(*whole);
+            return random_component(random, parameter, std::get<float>(parameter.initial));
         });
     return rows;
 }

@@ -61,11 +61,12 @@ private:
         return field;
     }
 
-    // The first field type with a socket for the subject; else one whose material has it.
+    // The first field type with a socket for the subject; else one whose material has it. Combiners may leave nothing.
     NodeId user_of(Kind output, NodeId shown)
     {
         for (const graph::NodeType* type : scene.library->types()) {
             if (!gives_space(*type) && type->output != Kind::material) continue;
+            if (type->category == "combine") continue;
             for (const graph::Socket& socket : type->inputs) {
                 if (socket.kind != output) continue;
                 NodeId user = scene.node(type->name, {{socket.name, subject}});

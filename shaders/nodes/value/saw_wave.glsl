@@ -1,0 +1,12 @@
+// Saw wave: A wave that rises at one speed, then falls back at once.
+// synonyms: oscillator, ramp, sawtooth, loop, lfo
+float saw_wave_value(
+    float x,          // 0.0 [-1000000, 1000000] [-10, 10]  Where on the wave; wire time here.
+    float frequency,  // 0.5 [0, 1000] [0, 10]  Swings per unit of x, so swings per second for time.
+    float amplitude,  // 1.0 [-1000, 1000] [0, 5]  How far the wave swings to each side.
+    float offset)     // 0.0 [-1000, 1000] [-5, 5]  Middle of the swing.
+{
+    float turns = x * frequency;
+    float share = turns - floor(turns);
+    return offset + amplitude * (2.0f * share - 1.0f);
+}
