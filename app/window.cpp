@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fieldwright::app {
@@ -111,8 +112,12 @@ void Window::connect_input()
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned codepoint) {
         self(window)->push({.kind = Kind::character, .code = static_cast<int>(codepoint)});
     });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
+        if (!entered) self(window)->forget_mouse();
+    });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
         self(window)->push({.kind = Kind::focus, .down = focused == GLFW_TRUE});
+        if (focused) self(window)->find_mouse();
     });
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) {
         glfwSetWindowShouldClose(window, GLFW_FALSE);
@@ -124,6 +129,23 @@ void Window::connect_input()
     });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { self(window)->touched_ = true; });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { self(window)->touched_ = true; });
+}
+
+// Under a window that appears or comes back, the mouse need not move to be there.
+void Window::find_mouse()
+{
+    double x = 0, y = 0;
+    glfwGetCursorPos(window_, &x, &y);
+    if (glfwGetWindowAttrib(window_, GLFW_HOVERED))
+        push({.kind = Kind::move, .at = {static_cast<float>(x), static_cast<float>(y)}});
+}
+
+// It left; nothing stays lit under it. A drag goes on outside.
+void Window::forget_mouse()
+{
+    for (int button = GLFW_MOUSE_BUTTON_1; button <= GLFW_MOUSE_BUTTON_3; ++button)
+        if (glfwGetMouseButton(window_, button) == GLFW_PRESS) return;
+    push({.kind = Kind::move, .at = glm::vec2(-std::numeric_limits<float>::max())});
 }
 
 float Window::content_scale() const

@@ -51,6 +51,8 @@ private:
         void operator()(ImGuiContext* context) const;
     };
     void connect_input();
+    void find_mouse();
+    void forget_mouse();
     float content_scale() const;
     void update_theme();
     void push(ui::InputEvent event);

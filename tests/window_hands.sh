@@ -9,6 +9,7 @@ program=$1 source=$2
 folder=$(mktemp -d)
 cp "$source/examples/smooth_blends.scene.json" "$folder/scene.scene.json"
 cd "$folder"
+xdotool mousemove 500 700  # where the canvas will be
 FIELDWRIGHT_DIALOGS=builtin "$program" edit scene.scene.json --state state --places places &
 editor=$!
 trap 'kill $editor 2>/dev/null || true; rm -rf "$folder"' EXIT
@@ -42,6 +43,13 @@ saved() { grep -q "$1" scene.scene.json; }
 
 wait_for 30 test -s places
 wait_for 30 xdotool search --name "scene.scene.json - Fieldwright"
+
+# The mouse was there before the window, and never moved.
+wait_for 20 is_there canvas
+xdotool key shift+a
+wait_for 20 is_there add_menu/search
+xdotool key Escape
+wait_for 20 bash -c '! grep -q "^add_menu/search " places'
 
 # Ten quick taps of a key: ten torus letters typed into the add menu's search, one torus added.
 point_at canvas
