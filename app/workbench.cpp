@@ -96,7 +96,7 @@ void Workbench::say(std::string sentence, bool is_error)
 {
     readings_.status = std::move(sentence);
     readings_.status_is_error = is_error;
-    last_touch_s_ = now_s();
+    touch();
 }
 
 double Workbench::now_s() const
@@ -125,12 +125,22 @@ void Workbench::turn()
     attempt([&] { autosave_.update(session_); });
     for (const std::string& path : window_.dropped_files()) editor_.ask(ui::OpenFile{path});
     if (window_.close_asked()) editor_.ask_quit();
-    if (window_.was_touched()) last_touch_s_ = now_s();
+    if (window_.was_touched()) touch();
     if (something_moves() && now_s() >= next_frame_s()) frame();
     if (!options_.places.empty() && !is_lively()) write_places();
 }
 
-bool Workbench::is_lively() const { return now_s() - last_touch_s_ < lively_s || !window_.input.empty(); }
+// What is shown changed: frames go on for a while, and one is drawn however long the last one took.
+void Workbench::touch()
+{
+    last_touch_s_ = now_s();
+    frames_owed_ = std::max(frames_owed_, 1);
+}
+
+bool Workbench::is_lively() const
+{
+    return frames_owed_ > 0 || now_s() - last_touch_s_ < lively_s || !window_.input.empty();
+}
 
 // For drivers outside: a line per widget, its name and the pixel of the window in its middle.
 void Workbench::write_places()
@@ -166,6 +176,7 @@ void Workbench::frame()
 {
     double now = now_s(), passed = last_frame_s_ > 0 ? now - last_frame_s_ : frame_s;
     last_frame_s_ = now;
+    frames_owed_ = std::max(frames_owed_ - 1, 0);
     ui::ViewState& view = editor_.view;
     if (view.playing) view.time_s = std::fmod(view.time_s + passed, std::max(view.loop_s, 0.1));
     readings_.frames_per_second = readings_.frames_per_second * 0.9 + 0.1 / std::max(passed, 1e-4);
@@ -185,7 +196,7 @@ void Workbench::frame()
     for (const ui::Request& request : output.requests) perform(request);
     // A hand that holds something at a pane's edge moves the view without moving itself.
     bool holding = output.hands_moving && ImGui::IsAnyMouseDown();
-    if (holding || output.document_changed || editor_.viewport().moving()) last_touch_s_ = now;
+    if (holding || output.document_changed || editor_.viewport().moving()) touch();
     redraw_at_s_ = output.redraw_in_s ? std::optional(now + *output.redraw_in_s) : std::nullopt;
     request_picture(output.hands_moving);
     frame_times_.whole_s = now_s() - now;
@@ -238,7 +249,7 @@ void Workbench::take_result()
 {
     std::optional<renderer::RenderResult> result = render_thread_.poll();
     if (!result) return;
-    last_touch_s_ = std::max(last_touch_s_, now_s() - lively_s + 2 * frame_s);  // two frames
+    frames_owed_ = std::max(frames_owed_, 2);  // the second for what follows from the first: a statistic, a legend
     ui::PictureReading& reading = readings_.picture;
     if (auto* drawn = std::get_if<renderer::DrawnPicture>(&*result)) {
         picture_.show(drawn->picture, drawn->frame);
@@ -262,7 +273,7 @@ void Workbench::forget_refusal()
 {
     if (compile_error_.empty() || requested_->generation == refused_generation_ || render_thread_.status().busy) return;
     compile_error_.clear();
-    last_touch_s_ = now_s();
+    touch();
 }
 
 void Workbench::request_picture(bool hands_moving)
@@ -303,7 +314,7 @@ void Workbench::scene_replaced()
     editor_.view.time_s = 0;
     editor_.view.playing = false;
     show_view();
-    last_touch_s_ = now_s();
+    touch();
 }
 
 void Workbench::play_script()

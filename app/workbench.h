@@ -55,6 +55,7 @@ public:
 private:
     double now_s() const;
     void frame();
+    void touch();
     bool is_lively() const;
     bool something_moves() const;
     double next_frame_s() const;
@@ -107,6 +108,7 @@ private:
     std::string reload_error_, compile_error_;
     std::uint64_t refused_generation_ = 0;  // of the picture that compile_error_ is about
     bool quit_ = false;
+    int frames_owed_ = 0;
     double last_frame_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything
     std::optional<renderer::PictureRequest> requested_;

@@ -98,7 +98,7 @@ void Workbench::answer_dialog()
     DialogAnswer answer = dialog_.poll();
     if (answer.state == DialogAnswer::State::pending) return;
     ui::ChooseFile request = *std::exchange(dialog_request_, std::nullopt);
-    last_touch_s_ = now_s();
+    touch();
     if (answer.state == DialogAnswer::State::path) chosen(request, answer.path);
     if (answer.state == DialogAnswer::State::unavailable) {
         std::filesystem::path folder =
