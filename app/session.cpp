@@ -87,6 +87,7 @@ void EditSession::start(graph::Document document, std::optional<fs::path> path)
     history_ = graph::History(document_);
     path_ = absolute_path(std::move(path));
     stamp_.reset();
+    saved_ = false;
 }
 
 void EditSession::new_scene() { start(app::new_scene(*library_), std::nullopt); }
@@ -120,6 +121,7 @@ void EditSession::save_as(const fs::path& path)
     path_ = target;
     stamp_ = file_stamp(target);
     history_.mark_saved();
+    saved_ = true;
 }
 
 std::string EditSession::name() const { return path_ ? path_->filename().string() : "Untitled"; }
@@ -130,7 +132,7 @@ std::string EditSession::title() const { return dirty() ? name() + " \u2022" : n
 
 std::string EditSession::overwrite_warning() const
 {
-    if (document_.version <= graph::document_version) return {};
+    if (document_.version <= graph::document_version || saved_) return {};
     return "This scene is of version " + std::to_string(document_.version) + "; this program knows version " +
            std::to_string(graph::document_version) +
            ". What it does not know is kept as it is, but may no longer fit the rest. Save under another name to be "

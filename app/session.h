@@ -42,7 +42,7 @@ public:
     std::string name() const;                                                   // of the file; "Untitled" without one
     bool dirty() const;                                                         // would be lost by closing
     std::string title() const;                                                  // name, and a dot while dirty
-    // Why the user should be asked before the next save; empty when nothing would be lost.
+    // Why the user should be asked before the next save; empty when nothing would be lost, or once it was saved.
     std::string overwrite_warning() const;
     const std::optional<FileStamp>& stamp() const { return stamp_; }  // of the file as last read or written
     bool changed_on_disk() const;  // someone else wrote the file since; false when it is gone
@@ -60,6 +60,7 @@ private:
     graph::History history_;
     std::optional<std::filesystem::path> path_;
     std::optional<FileStamp> stamp_;
+    bool saved_ = false;  // since it was opened
 };
 
 // The path with `.scene.json` added, unless it ends in `.json` already.

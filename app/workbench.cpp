@@ -237,6 +237,7 @@ void Workbench::fill_readings()
     readings_.file_path = session_.path() ? session_.path()->string() : "";
     readings_.dirty = session_.dirty();
     readings_.changed_on_disk = session_.changed_on_disk();
+    readings_.overwrite_warning = session_.overwrite_warning();
     readings_.recent.clear();
     for (const RecentFile& file : recent_.entries()) readings_.recent.push_back({file.path.string(), file.missing});
     readings_.dialog_open = dialog_.is_open();

@@ -27,6 +27,11 @@ void wrapped_quiet(const std::string& text)
     ImGui::PopStyleColor();
 }
 
+bool asks_before_saving(const Readings& readings)
+{
+    return readings.changed_on_disk || !readings.overwrite_warning.empty();
+}
+
 }  // namespace
 
 bool loses_changes(const Request& request)
@@ -53,7 +58,7 @@ void Dialogs::hold_back(Request request, std::vector<Request>& passed, const Rea
             return;
         }
     }
-    if (std::holds_alternative<SaveFile>(request) && readings.changed_on_disk) {
+    if (std::holds_alternative<SaveFile>(request) && asks_before_saving(readings)) {
         overwriting_ = true;
         return;
     }
@@ -83,7 +88,7 @@ void Dialogs::draw(FrameContext& frame)
 void Dialogs::save(FrameContext& frame)
 {
     if (frame.readings.file_path.empty()) frame.requests.push_back(ChooseFile{ChooseFile::Then::save_as, {}});
-    else if (frame.readings.changed_on_disk) overwriting_ = true;
+    else if (asks_before_saving(frame.readings)) overwriting_ = true;
     else frame.requests.push_back(SaveFile{});
 }
 
@@ -108,8 +113,12 @@ void Dialogs::draw_unsaved(FrameContext& frame)
 void Dialogs::draw_overwrite(FrameContext& frame)
 {
     if (!begin_dialog("overwrite", overwriting_, frame.theme, 440)) return;
-    heading(frame.theme, "Replace the other changes to " + frame.readings.file_name + "?");
-    wrapped_quiet("Another program wrote the file since it was opened here. Saving replaces what it wrote.");
+    const Readings& readings = frame.readings;
+    std::string what = readings.changed_on_disk ? "the other changes to " : "";
+    heading(frame.theme, "Replace " + what + readings.file_name + "?");
+    if (readings.changed_on_disk)
+        wrapped_quiet("Another program wrote the file since it was opened here. Saving replaces what it wrote.");
+    if (!readings.overwrite_warning.empty()) wrapped_quiet(readings.overwrite_warning);
     ImGui::Dummy({0, frame.theme.gap()});
     int choice = button_row(
         frame, {{"Cancel", "dialog/cancel"}, {"Save as…", "dialog/save_as"}, {"Replace", "dialog/replace", true}});

@@ -65,6 +65,7 @@ struct Readings {
     std::string file_path;  // empty while never saved
     bool dirty = false;
     bool changed_on_disk = false;
+    std::string overwrite_warning;  // why else to ask before saving to that file
     std::vector<RecentFile> recent;
     std::vector<Recovered> recovered;
     bool dialog_open = false;  // a native file dialog is up; the window waits for nothing

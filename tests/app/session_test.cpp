@@ -201,6 +201,10 @@ TEST_F(EditSessionTest, a_newer_version_warns_before_it_is_overwritten)
                       R"({"format": "fieldwright", "version": 7, "graphs": {"root": {"nodes": {}}}})");
     session.open(path("new.scene.json"));
     EXPECT_NE(session.overwrite_warning().find("version 7"), std::string::npos);
+    session.save();
+    EXPECT_EQ(session.overwrite_warning(), "") << "asked once";
+    session.open(path("new.scene.json"));
+    EXPECT_NE(session.overwrite_warning(), "");
 }
 
 TEST_F(EditSessionTest, a_recovered_copy_is_unsaved_work_of_its_origin)

@@ -289,6 +289,15 @@ TEST_F(Unsaved, a_file_changed_on_disk_is_not_overwritten_unasked)
     EXPECT_EQ(count<ui::SaveFile>(driver.requests), 1);
 }
 
+TEST_F(Unsaved, a_warning_is_heeded_before_saving)
+{
+    driver.readings.overwrite_warning = "This scene is of version 7.";
+    driver.key('S', true);
+    EXPECT_EQ(count<ui::SaveFile>(driver.requests), 0);
+    driver.click("dialog/replace");
+    EXPECT_EQ(count<ui::SaveFile>(driver.requests), 1);
+}
+
 TEST_F(Unsaved, both_questions_come_one_after_the_other)
 {
     driver.readings.changed_on_disk = true;
