@@ -4,8 +4,6 @@
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
 
-#include <algorithm>
-
 namespace fieldwright::app {
 namespace {
 
@@ -38,9 +36,6 @@ void ShownScene::update(const graph::Document& document, const std::shared_ptr<c
     document_ = document;
     library_ = library;
     program_ = std::make_shared<const graph::Program>(graph::lower(document, library));
-    // The time itself is always a value of frame rate; what is made from it shows that it is read.
-    auto changes = [](const graph::ProgramValue& value) { return value.rate == graph::Rate::frame; };
-    uses_time_ = std::count_if(program_->values.begin(), program_->values.end(), changes) > 1;
     const graph::Node* output = output_of(document, *library);
     has_camera_ = output && output->input("camera");
     bounds_.clear();

@@ -16,7 +16,6 @@ public:
     void update(const graph::Document& document, const std::shared_ptr<const graph::Library>& library);
 
     const std::shared_ptr<const graph::Program>& program() const { return program_; }
-    bool uses_time() const { return uses_time_; }    // its picture changes while time goes on
     bool has_camera() const { return has_camera_; }  // one is wired to the output
     // The box around a field node's surface, in its own space; the whole scene's for no node. Nothing for other nodes.
     std::optional<ui::Measured> bounds_of(graph::NodeId node);
@@ -27,7 +26,7 @@ private:
     graph::Document document_;
     std::shared_ptr<const graph::Library> library_;
     std::shared_ptr<const graph::Program> program_;
-    bool uses_time_ = false, has_camera_ = false;
+    bool has_camera_ = false;
     std::map<graph::NodeId, std::optional<ui::Measured>> bounds_;  // of this document
     std::shared_ptr<const std::string> shader_text_;               // of this document
 };
