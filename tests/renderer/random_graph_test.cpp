@@ -11,7 +11,7 @@
 namespace fieldwright::tests {
 namespace {
 
-std::uint64_t graph_count() { return std::getenv("FIELDWRIGHT_SOAK") ? 20'000 : 1'000; }
+std::uint64_t graph_count() { return std::getenv("FIELDWRIGHT_SOAK") ? 20'000 : 3'000; }
 
 constexpr std::size_t point_count = 1024;
 
