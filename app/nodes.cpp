@@ -57,18 +57,11 @@ struct ValueJson {
     }
 };
 
-bool has_range(const graph::Parameter& parameter)
-{
-    using graph::ParameterKind;
-    return parameter.kind != ParameterKind::boolean && parameter.kind != ParameterKind::choice &&
-           parameter.kind != ParameterKind::material;
-}
-
 Json parameter_json(const graph::Parameter& parameter)
 {
     Json json = {{"name", parameter.name}, {"kind", graph::parameter_kind_name(parameter.kind)}};
     if (parameter.kind != graph::ParameterKind::material) json["default"] = std::visit(ValueJson(), parameter.initial);
-    if (has_range(parameter)) {
+    if (graph::has_range(parameter.kind)) {
         json["minimum"] = parameter.minimum;
         json["maximum"] = parameter.maximum;
         json["soft_minimum"] = parameter.soft_minimum;

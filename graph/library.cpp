@@ -167,9 +167,23 @@ std::string_view parameter_kind_name(ParameterKind kind)
         case ParameterKind::angles: return "angles";
         case ParameterKind::colour: return "colour";
         case ParameterKind::material: return "material";
+        case ParameterKind::text: return "text";
+        case ParameterKind::formula: return "formula";
         case ParameterKind::list: break;
     }
     return "list";
+}
+
+bool has_range(ParameterKind kind)
+{
+    switch (kind) {
+        case ParameterKind::boolean:
+        case ParameterKind::choice:
+        case ParameterKind::material:
+        case ParameterKind::text:
+        case ParameterKind::formula: return false;
+        default: return true;
+    }
 }
 
 }  // namespace fieldwright::graph

@@ -13,9 +13,26 @@ namespace fieldwright::graph {
 // What a socket carries. A field socket is 2D or 3D; `any` takes the dimension of what is wired to it.
 enum class SocketKind { field2d, field3d, field_any, number, vec2, vec3, colour, material, camera, sky, light, none };
 
-enum class ParameterKind { number, integer, boolean, choice, vec2, vec3, angle, angles, colour, material, list };
+// A text is UTF-8 for whoever bakes it and no argument of a function. The function of a formula receives what it
+// computes, a float.
+enum class ParameterKind {
+    number,
+    integer,
+    boolean,
+    choice,
+    vec2,
+    vec3,
+    angle,
+    angles,
+    colour,
+    material,
+    list,
+    text,
+    formula
+};
 
-// Declared once in a node file by a comment: `default [min, max] unit  help`.
+// Declared once in a node file: by the comment of an argument, `default [min, max] unit  help` or
+// `formula "default"  help`, or by a header line, `text NAME: "default"  help` or `number NAME: default ...  help`.
 struct Parameter {
     std::string name;
     ParameterKind kind = ParameterKind::number;
@@ -103,7 +120,8 @@ const std::map<std::string, std::string>& embedded_texts();
 
 std::string_view socket_kind_name(SocketKind kind);
 std::string_view parameter_kind_name(ParameterKind kind);
-// Parses a value as written in a node file or after `--set`: `1.5`, `true`, `word`, `(1, 2, 3)`, `1,2,3`, `#rrggbb`,
+bool has_range(ParameterKind kind);  // whether its components are numbers between a minimum and a maximum
+// Parses a value as written after `--set` and, but for texts in quotes, in a node file: `1.5`, `true`, `word`, `(1, 2, 3)`, `1,2,3`, `#rrggbb`,
 // `[(0,0), (1,0)]`. Returns nullopt when the text is not of the parameter's kind.
 std::optional<Value> parse_value(const Parameter& parameter, std::string_view text);
 // Empty when `value` is of the parameter's kind, finite and in range; else what is wrong, as the end of a sentence.

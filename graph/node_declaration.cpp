@@ -50,8 +50,11 @@ public:
         names_from_path();
         header();
         for (const Function& function : type_.source.functions) function_name(function);
+        for (const Argument& line : header_parameters_) header_parameter(line);
+        std::size_t of_header = type_.parameters.size();
         for (const Function& function : type_.source.functions)
             for (const Argument& argument : function.arguments) argument_role(function, argument);
+        numbers_of_the_header_last(of_header);
         for (Function& function : type_.source.functions)
             for (Argument& argument : function.arguments) resolve_argument(argument);
         int values = 0;
@@ -108,9 +111,62 @@ private:
             if (value != "hard" && value != "hard associative")
                 fail(line, "`combiner` is `hard` or `hard associative`");
             type_.scaling = value == "hard" ? Scaling::hard : Scaling::hard_associative;
+        } else if (is_parameter(key)) {
+            Type type = key.starts_with("text ") ? Type{} : Type{BaseType::real, "float"};
+            header_parameters_.push_back({type, std::string(key.substr(key.find(' ') + 1)), std::string(value), line});
         } else {
             type_.help += " " + std::string(trim(text));
         }
+    }
+
+    static bool is_parameter(std::string_view key)
+    {
+        return (key.starts_with("text ") || key.starts_with("number ")) && key.find(' ') == key.rfind(' ');
+    }
+
+    // A parameter that no function need receive.
+    void header_parameter(const Argument& line)
+    {
+        bool word = !line.name.empty() &&
+                    line.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+        if (!word) fail(line.line, "a parameter's name is made of a-z, 0-9 and _");
+        if (is_reserved(line.name)) fail(line.line, "`" + line.name + "` is a reserved name");
+        if (type_.parameter(line.name)) fail(line.line, "the parameter `" + line.name + "` is declared twice");
+        if (line.type.base == BaseType::none) words(line, ParameterKind::text, line.comment);
+        else parameter(line);
+    }
+
+    // The texts of the header come first among the parameters, its numbers last.
+    void numbers_of_the_header_last(std::size_t of_header)
+    {
+        auto first = type_.parameters.begin(), last = first + static_cast<std::ptrdiff_t>(of_header);
+        auto numbers = std::stable_partition(
+            first, last, [](const Parameter& parameter) { return parameter.kind == ParameterKind::text; });
+        std::rotate(numbers, last, type_.parameters.end());
+    }
+
+    // `"default"  help` of a text or a formula.
+    void words(const Argument& argument, ParameterKind kind, std::string_view comment)
+    {
+        std::size_t end = comment.starts_with('"') ? comment.find('"', 1) : std::string_view::npos;
+        if (end == std::string_view::npos || !comment.substr(end + 1).starts_with("  "))
+            fail(argument.line, "the default of `" + argument.name + "` stands in quotes, two spaces before its help");
+        Parameter parameter;
+        parameter.name = argument.name;
+        parameter.kind = kind;
+        parameter.type = argument.type;
+        parameter.initial = std::string(comment.substr(1, end - 1));
+        parameter.help = trim(comment.substr(end + 1));
+        if (std::string error = value_error(parameter, parameter.initial); !error.empty())
+            fail(argument.line, "the default of `" + argument.name + "` " + error);
+        type_.parameters.push_back(std::move(parameter));
+    }
+
+    // Nodes of values have no field inputs, so these letters are theirs.
+    bool is_reserved(std::string_view name) const
+    {
+        constexpr std::array<std::string_view, 4> letters = {"a", "b", "c", "d"};
+        return contains(reserved_arguments, name) && !(type_.function("value") && contains(letters, name));
     }
 
     void field_quality(int line, std::string_view value)
@@ -145,7 +201,7 @@ private:
 
     void argument_role(const Function& function, const Argument& argument)
     {
-        bool reserved = contains(reserved_arguments, argument.name);
+        bool reserved = is_reserved(argument.name);
         bool declared = type_.parameter(argument.name) != nullptr;
         std::string_view suffix = std::string_view(function.name).substr(type_.name.size() + 1);
         bool helper = !contains(meaning_suffixes, suffix);
@@ -186,6 +242,12 @@ private:
             parameter.help = comment;
             type_.parameters.push_back(std::move(parameter));
             return;
+        }
+        constexpr std::string_view formula = "formula ";
+        if (comment.starts_with(formula)) {
+            if (argument.type.base != BaseType::real)
+                fail(argument.line, "what the formula `" + argument.name + "` computes is a float");
+            return words(argument, ParameterKind::formula, trim(comment.substr(formula.size())));
         }
         std::size_t gap = comment.find("  ");
         if (gap == std::string_view::npos)
@@ -347,6 +409,7 @@ private:
     }
 
     NodeType type_;
+    std::vector<Argument> header_parameters_;  // declared by header lines; a text has no type
     bool has_quality_ = false;
 };
 

@@ -264,7 +264,9 @@ private:
             case ParameterKind::angle: return json_.number(value);
             case ParameterKind::integer: return small_integer(value);
             case ParameterKind::boolean: return json_.boolean(value);
-            case ParameterKind::choice: return std::string(json_.string(value));
+            case ParameterKind::choice:
+            case ParameterKind::text:
+            case ParameterKind::formula: return std::string(json_.string(value));
             case ParameterKind::vec2: return vector<2>(value);
             case ParameterKind::vec3:
             case ParameterKind::angles:

@@ -1,5 +1,7 @@
 // Parameter values from words, and their checks.
+#include "graph/json.h"
 #include "graph/library.h"
+#include "graph/limits.h"
 
 #include <algorithm>
 #include <charconv>
@@ -141,6 +143,15 @@ std::string components_error(const Parameter& parameter, const Vector& vector, i
     return {};
 }
 
+std::string text_error(const std::string& text)
+{
+    if (text.size() > text_limit) return "must have at most 4096 bytes";
+    if (!is_utf8(text)) return "must be UTF-8 text";
+    auto unprintable = [](char c) { return (c >= 0 && c < ' ' && c != '\n' && c != '\t') || c == '\x7f'; };
+    if (std::any_of(text.begin(), text.end(), unprintable)) return "must not hold control characters";
+    return {};
+}
+
 template <typename T>
 const T* of_kind(const Value& value)
 {
@@ -162,7 +173,9 @@ std::optional<Value> parse_value(const Parameter& parameter, std::string_view te
         case ParameterKind::boolean:
             if (text == "true" || text == "false") return text == "true";
             return std::nullopt;
-        case ParameterKind::choice: return std::string(text);
+        case ParameterKind::choice:
+        case ParameterKind::text:
+        case ParameterKind::formula: return std::string(text);
         case ParameterKind::list: return point_list(text);
         case ParameterKind::material: break;
     }
@@ -204,6 +217,10 @@ std::string value_error(const Parameter& parameter, const Value& value)
                 if (std::string error = components_error(parameter, point, 4); !error.empty()) return error;
             return {};
         }
+        case ParameterKind::text:
+        case ParameterKind::formula:
+            if (auto* text = of_kind<std::string>(value)) return text_error(*text);
+            return "must be text in quotes";
         case ParameterKind::material: break;
     }
     return "is a socket and has no value";

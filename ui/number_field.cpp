@@ -201,10 +201,7 @@ NumberStyle number_style(const graph::Parameter& parameter)
 std::string parameter_tip(const graph::Parameter& parameter)
 {
     std::string tip = parameter.help;
-    using graph::ParameterKind;
-    bool ranged = parameter.kind != ParameterKind::boolean && parameter.kind != ParameterKind::choice &&
-                  parameter.kind != ParameterKind::colour && parameter.kind != ParameterKind::material;
-    if (!ranged) return tip;
+    if (!graph::has_range(parameter.kind) || parameter.kind == graph::ParameterKind::colour) return tip;
     std::string unit = unit_suffix(parameter.unit);
     if (!tip.empty()) tip += "\n";
     if (std::max(-parameter.minimum, parameter.maximum) >= 1e6 && parameter.minimum < 0)

@@ -2,11 +2,12 @@
 #include "ui/parameter_rows.h"
 
 #include "ui/colour_field.h"
-#include "ui/number_field.h"
 #include "ui/node_words.h"
+#include "ui/number_field.h"
 #include "ui/number_text.h"
 #include "ui/points_field.h"
 #include "ui/widgets.h"
+#include "ui/words_field.h"
 
 #include <imgui_internal.h>
 
@@ -167,6 +168,22 @@ void material_row(const Row& row)
                                               row.node.id, row.parameter.name));
 }
 
+void text_row(const Row& row)
+{
+    auto text = value_of<std::string>(row);
+    bool changed = text_field(row.frame, "##text", text, row.width_px);
+    row.mark();
+    if (changed) row.write(std::move(text));
+}
+
+void formula_row(const Row& row)
+{
+    auto formula = value_of<std::string>(row);
+    bool changed = formula_field(row.frame, "##formula", formula, row.width_px);
+    row.mark();
+    if (changed) row.write(std::move(formula));
+}
+
 void list_row(const Row& row)
 {
     auto points = value_of<graph::PointList>(row);
@@ -222,6 +239,8 @@ void value_field(const Row& row)
         case ParameterKind::colour: return colour_row(row);
         case ParameterKind::material: return material_row(row);
         case ParameterKind::list: return list_row(row);
+        case ParameterKind::text: return text_row(row);
+        case ParameterKind::formula: return formula_row(row);
     }
 }
 

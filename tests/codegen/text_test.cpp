@@ -66,13 +66,6 @@ std::vector<graph::Value> dragged_values(const graph::Parameter& parameter)
     return values;
 }
 
-bool is_number(const graph::Parameter& parameter)
-{
-    using graph::ParameterKind;
-    return parameter.kind != ParameterKind::material && parameter.kind != ParameterKind::boolean &&
-           parameter.kind != ParameterKind::choice;
-}
-
 TEST(Text, is_the_same_for_the_same_document)
 {
     auto library = graph::Library::embedded();
@@ -93,7 +86,7 @@ TEST(Text, is_untouched_by_a_drag_of_any_number_of_any_type)
         Starter starter(*type, library);
         std::string before = fragment(starter.scene, Placement::buffer);
         for (const graph::Parameter& parameter : type->parameters) {
-            if (!is_number(parameter)) continue;
+            if (!graph::has_range(parameter.kind)) continue;
             for (const graph::Value& value : dragged_values(parameter)) {
                 starter.scene.set(starter.subject, parameter.name, value);
                 ASSERT_EQ(fragment(starter.scene, Placement::buffer), before) << type->name << "." << parameter.name;

@@ -148,6 +148,54 @@ TEST(Dialect, ValuesAreReadAsArtistsWriteThem)
     EXPECT_EQ(std::get<PointList>(*parse_value(list, "[(0, 1), (2, 3)]")).size(), 2u);
 }
 
+TEST(Dialect, TextsFormulasAndNumbersOfTheHeaderAreParameters)
+{
+    std::string text =
+        "// Bad: a test.\n// text motto: \"a: b  c\"  What it says.\n// number a: 2.0 [0, 9] [1, 3] m  How much.\n"
+        "float bad_value(\n    float result,  // formula \"sin(a)\"  What it computes.\n"
+        "    float scale)  // 1.0 [0, 9]  A factor.\n{\n    return result * scale;\n}\n";
+    NodeType type = declare(text, "nodes/value/bad.glsl");
+    ASSERT_EQ(type.parameters.size(), 4u);
+    EXPECT_EQ(type.parameters[0].kind, ParameterKind::text);
+    EXPECT_EQ(std::get<std::string>(type.parameters[0].initial), "a: b  c");
+    EXPECT_EQ(type.parameters[0].help, "What it says.");
+    EXPECT_EQ(type.parameters[1].kind, ParameterKind::formula);
+    EXPECT_EQ(std::get<std::string>(type.parameters[1].initial), "sin(a)");
+    EXPECT_EQ(type.parameters[2].name, "scale");
+    EXPECT_EQ(type.parameters[3].name, "a");
+    EXPECT_EQ(type.parameters[3].soft_maximum, 3);
+    EXPECT_EQ(type.parameters[3].unit, "m");
+    EXPECT_EQ(type.inputs.size(), 2u) << "the numbers can be wired, the words cannot";
+    EXPECT_EQ(type.function("value")->arguments[1].parameter, 2);
+    EXPECT_EQ(type.help, "A test.");
+}
+
+TEST(Dialect, WordsStandInQuotes)
+{
+    auto with = [](const std::string& line, const std::string& comment) {
+        return refusal(
+            "// Bad: a test.\n" + line + "\nfloat bad_value(\n    float x)  // " + comment + "\n{\n    return x;\n}\n",
+            "nodes/value/bad.glsl");
+    };
+    EXPECT_EQ(with("// text a: \"\"  Nothing.", "formula \"x\"  It."), "accepted");
+    EXPECT_NE(with("// text a: word  It.", "1.0  It.").find("stands in quotes"), std::string::npos);
+    EXPECT_NE(with("// text a: \"word\" It.", "1.0  It.").find("two spaces"), std::string::npos);
+    EXPECT_NE(with("// text p: \"\"  It.", "1.0  It.").find("reserved"), std::string::npos);
+    EXPECT_NE(with("// text x: \"\"  It.", "1.0  It.").find("twice"), std::string::npos);
+    EXPECT_NE(with("// synonyms: y", "formula x  It.").find("stands in quotes"), std::string::npos);
+}
+
+TEST(Dialect, TextsAreUtf8WithoutControlCharacters)
+{
+    Parameter text{.name = "t", .kind = ParameterKind::text};
+    EXPECT_EQ(value_error(text, *parse_value(text, "Gr\u00fc\u00dfe,\n\t\u03b1")), "");
+    EXPECT_EQ(value_error(text, std::string(4096, 'a')), "");
+    EXPECT_NE(value_error(text, std::string(4097, 'a')), "");
+    EXPECT_NE(value_error(text, std::string("\xff")), "");
+    EXPECT_NE(value_error(text, std::string("a\0b", 3)), "");
+    EXPECT_NE(value_error(text, 1.0f), "");
+}
+
 TEST(Dialect, TwoFilesOfOneNameAreRefused)
 {
     std::map<std::string, std::string> texts = embedded_texts();

@@ -43,6 +43,10 @@ Document rich_document()
     EXPECT_EQ(set_parameter(document, library(), star, "filled", false), std::nullopt);
     EXPECT_EQ(rename_node(document, sphere, "the \"ball\"\n\xE2\x82\xAC"), std::nullopt);
     EXPECT_EQ(set_muted(document, sphere, true), std::nullopt);
+    NodeId words = add_node(document, library(), "words");
+    EXPECT_EQ(set_parameter(document, library(), words, "motto", std::string("two\n\"lines\" \xE2\x82\xAC")),
+              std::nullopt);
+    EXPECT_EQ(set_parameter(document, library(), words, "result", std::string("x + (")), std::nullopt);
     document.march.out_of_steps_hits = true;
     document.extras = {{"$schema", "\"x.json\""}, {"notes", "{\"a\":  [1,2]}"}};
     return document;

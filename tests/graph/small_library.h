@@ -141,6 +141,16 @@ vec3 arrow_value(
     return to;
 }
 )"},
+        {"nodes/value/words.glsl", R"(// Words: what is written, and what is computed.
+// text motto: "Ag: two words"  What it says.
+// number a: 1.0 [-10, 10] [0, 1] m  A number of the formula.
+float words_value(
+    float result,   // formula "a  * x"  What it computes.
+    float scale)   // 2.0 [0, 10]  How much of it.
+{
+    return result * scale;
+}
+)"},
         {"nodes/material/matte.glsl", R"(// Matte: one colour.
 Material matte_material(
     vec3 colour)   // #808080 [0, 1]  What it looks like.

@@ -54,6 +54,16 @@ inline float random_component(Random& random, const graph::Parameter& parameter,
                       static_cast<float>(parameter.maximum));
 }
 
+inline std::string random_words(Random& random, const graph::Parameter& parameter)
+{
+    static const std::vector<std::string> texts = {"", "Ag", "a \"b\" \\ */ #define",
+                                                   "Gr\u00fc\u00dfe\n\u03b1\u03b2 \U0001f600"};
+    static const std::vector<std::string> formulas = {"x", "0.5", "sin(3 * x) * cos(y - z) + time", "x^2 + y^2 - z",
+                                                      "sqrt(x) / y"};
+    if (parameter.kind == graph::ParameterKind::text) return random.pick(texts);
+    return random.pick(parameter.kind == graph::ParameterKind::formula ? formulas : parameter.choices);
+}
+
 inline graph::Value random_value(Random& random, const graph::Parameter& parameter)
 {
     auto component = [&](float initial) { return random_component(random, parameter, initial); };
@@ -63,7 +73,7 @@ inline graph::Value random_value(Random& random, const graph::Parameter& paramet
     else if (auto* pair = std::get_if<glm::vec2>(&value)) *pair = {component(pair->x), component(pair->y)};
     else if (auto* triple = std::get_if<glm::vec3>(&value))
         *triple = {component(triple->x), component(triple->y), component(triple->z)};
-    else if (auto* word = std::get_if<std::string>(&value)) *word = random.pick(parameter.choices);
+    else if (auto* word = std::get_if<std::string>(&value)) *word = random_words(random, parameter);
     else if (auto* whole = std::get_if<int>(&value)) {
         auto low = static_cast<int>(std::max(parameter.soft_minimum, *whole - 4.0));
         auto high = static_cast<int>(std::min(parameter.soft_maximum, *whole + 4.0));
