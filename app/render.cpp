@@ -53,8 +53,14 @@ std::string png_error(const std::string& text)
 // The device that `--device` means for this program; none = the CPU. `auto` must not depend on timing.
 std::optional<renderer::GpuDevice> choose_gpu(const std::string& device, const graph::Program& program)
 {
+    bool by_cpu = renderer::runs_on_cpu(program);
+    if (device == "cpu" && !by_cpu && !program.gpu_only)
+        throw graph::Failure(
+            1,
+            "the shading of --shaders (render/*.glsl) is not the one compiled into this program, so only "
+            "a GPU can draw with it; use --device gpu, or build the program with these shaders");
     if (device == "cpu") return std::nullopt;
-    if (device == "gpu" || program.gpu_only) return renderer::GpuDevice();
+    if (device == "gpu" || !by_cpu) return renderer::GpuDevice();
     try {
         renderer::GpuDevice gpu;
         if (!gpu.software()) return gpu;

@@ -32,31 +32,72 @@ const std::map<std::string, Verb, std::less<>>& verbs()
     return known;
 }
 
-const std::map<std::string, int, std::less<>>& key_names()
+std::map<std::string, int, std::less<>> all_key_names()
 {
     namespace key = ui::key;
-    static const std::map<std::string, int, std::less<>> names = {{"space", key::space},
-                                                                  {"enter", key::enter},
-                                                                  {"escape", key::escape},
-                                                                  {"tab", key::tab},
-                                                                  {"backspace", key::backspace},
-                                                                  {"delete", key::del},
-                                                                  {"home", key::home},
-                                                                  {"end", key::end},
-                                                                  {"left", key::left},
-                                                                  {"right", key::right},
-                                                                  {"up", key::up},
-                                                                  {"down", key::down},
-                                                                  {"f1", key::f1},
-                                                                  {"f2", key::f2},
-                                                                  {"f3", key::f3},
-                                                                  {"keypad_0", key::keypad_0},
-                                                                  {"keypad_1", key::keypad_1},
-                                                                  {"keypad_3", key::keypad_3},
-                                                                  {"keypad_5", key::keypad_5},
-                                                                  {"keypad_7", key::keypad_7},
-                                                                  {"keypad_decimal", key::keypad_decimal}};
+    std::map<std::string, int, std::less<>> names = {
+        {"space", key::space},
+        {"enter", key::enter},
+        {"escape", key::escape},
+        {"tab", key::tab},
+        {"backspace", key::backspace},
+        {"insert", key::insert},
+        {"delete", key::del},
+        {"home", key::home},
+        {"end", key::end},
+        {"page_up", key::page_up},
+        {"page_down", key::page_down},
+        {"left", key::left},
+        {"right", key::right},
+        {"up", key::up},
+        {"down", key::down},
+        {"apostrophe", key::apostrophe},
+        {"comma", key::comma},
+        {"minus", key::minus},
+        {"period", key::period},
+        {"slash", key::slash},
+        {"equal", key::equal},
+        {"left_bracket", key::left_bracket},
+        {"right_bracket", key::right_bracket},
+        {"backquote", key::backquote},
+        {"keypad_decimal", key::keypad_decimal},
+        {"keypad_enter", key::keypad_enter},
+    };
+    for (char letter = 'a'; letter <= 'z'; ++letter) names[std::string(1, letter)] = key::a + letter - 'a';
+    for (int digit = 0; digit <= 9; ++digit) {
+        names[std::to_string(digit)] = key::zero + digit;
+        names["keypad_" + std::to_string(digit)] = key::keypad_0 + digit;
+    }
+    for (int number = 1; number <= 12; ++number) names["f" + std::to_string(number)] = key::f1 + number - 1;
     return names;
+}
+
+const std::map<std::string, int, std::less<>>& key_names()
+{
+    static const std::map<std::string, int, std::less<>> names = all_key_names();
+    return names;
+}
+
+// Of UTF-8; empty when it is not.
+std::vector<int> code_points(std::string_view text)
+{
+    constexpr std::array<int, 5> lowest = {0, 0, 0x80, 0x800, 0x10000};  // by length: shorter would do for less
+    std::vector<int> points;
+    while (!text.empty()) {
+        auto first = static_cast<unsigned char>(text[0]);
+        int length = first < 0x80 ? 1 : first >> 5 == 6 ? 2 : first >> 4 == 14 ? 3 : first >> 3 == 30 ? 4 : 0;
+        if (length == 0 || text.size() < static_cast<std::size_t>(length)) return {};
+        int point = length == 1 ? first : first & (0x7f >> length);
+        for (int i = 1; i < length; ++i) {
+            auto next = static_cast<unsigned char>(text[static_cast<std::size_t>(i)]);
+            if (next >> 6 != 2) return {};
+            point = point << 6 | (next & 0x3f);
+        }
+        if (point < lowest[static_cast<std::size_t>(length)] || point > 0x10ffff || point >> 11 == 0x1b) return {};
+        points.push_back(point);
+        text.remove_prefix(static_cast<std::size_t>(length));
+    }
+    return points;
 }
 
 void push_button(ui::InputQueue& input, int button, bool down)
@@ -97,9 +138,9 @@ std::optional<KeyChord> parse_key_chord(std::string_view text)
         else if (modifier == "alt") chord.alt = true;
         else return std::nullopt;
     }
-    if (text.size() == 1 && text[0] >= 'a' && text[0] <= 'z') chord.key = text[0] - 'a' + 'A';
-    else if (auto found = key_names().find(text); found != key_names().end()) chord.key = found->second;
-    else return std::nullopt;
+    auto found = key_names().find(text);
+    if (found == key_names().end()) return std::nullopt;
+    chord.key = found->second;
     return chord;
 }
 
@@ -125,6 +166,7 @@ Script::Action Script::parse(const std::string& line, int number) const
     auto verb = verbs().find(action.verb);
     if (verb == verbs().end()) fail(action, "`" + action.verb + "` is not an action", 2);
     if (action.words.size() < verb->second.fewest_words) fail(action, "`" + action.verb + "` needs more words", 2);
+    if (action.verb == "type" && code_points(action.rest).empty()) fail(action, "the text is not UTF-8", 2);
     if (action.verb == "key" && !parse_key_chord(action.words[0]))
         fail(action, "`" + action.words[0] + "` is not a key", 2);
     return action;
@@ -145,7 +187,7 @@ std::optional<glm::vec2> Script::place(const std::string& widget, const Stage& s
 void Script::play(Stage& stage)
 {
     quiet_ = stage.input.empty() ? quiet_ + 1 : 0;
-    if (finished() || quiet_ < frames_between_actions) return;
+    if (finished() || quiet_ < (actions_.front().verb == "resize" ? 1 : frames_between_actions)) return;
     const Action& action = actions_.front();
     if (!perform(action, stage)) {
         if (++patience_ > frames_of_patience && action.verb != "settle")
@@ -164,7 +206,7 @@ bool Script::perform(const Action& action, Stage& stage)
     if (verb == "quit") return stage.quit(), true;
     if (verb == "screenshot") return stage.take_screenshot(action.words[0]), true;
     if (verb == "type") {
-        for (unsigned char letter : action.rest) stage.input.push({.kind = Kind::character, .code = letter});
+        for (int letter : code_points(action.rest)) stage.input.push({.kind = Kind::character, .code = letter});
         return true;
     }
     if (verb == "key") return press(stage.input, *parse_key_chord(action.words[0])), true;

@@ -15,9 +15,9 @@ namespace fieldwright::app {
 //   click WIDGET | double_click WIDGET | right_click WIDGET | move WIDGET
 //   drag WIDGET DX DY            px of the window
 //   connect WIDGET WIDGET        drags from one to the other
-//   wheel WIDGET NOTCHES | key ctrl+shift+z | type TEXT
+//   wheel WIDGET NOTCHES | key ctrl+shift+z | type TEXT (UTF-8)
 //   settle                       waits until the picture is finished and nothing moves
-//   screenshot FILE | resize WIDTHxHEIGHT | quit
+//   screenshot FILE | resize WIDTHxHEIGHT (one a frame) | quit
 // Empty lines and lines that begin with # say nothing.
 class Script {
 public:
@@ -57,7 +57,7 @@ private:
     int quiet_ = 0;     // frames since the last event was told
 };
 
-// The key and its modifiers of "ctrl+shift+z", "delete", "space", "f1", "home"; nothing when it is none.
+// The key and its modifiers of "ctrl+shift+z", "delete", "5", "f11", "page_up", "keypad_7"; nothing when it is none.
 struct KeyChord {
     int key = 0;
     bool control = false, shift = false, alt = false;

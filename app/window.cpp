@@ -23,6 +23,9 @@ using Kind = ui::InputEvent::Kind;
 static_assert(ui::key::del == GLFW_KEY_DELETE && ui::key::keypad_0 == GLFW_KEY_KP_0 && ui::key::f1 == GLFW_KEY_F1 &&
               ui::key::left_shift == GLFW_KEY_LEFT_SHIFT && ui::key::z == GLFW_KEY_Z && ui::key::count > GLFW_KEY_LAST);
 
+constexpr float title_bar = 32;  // units high, about: the window manager's, which is there after the window
+constexpr glm::ivec2 smallest_px{800, 500};
+
 std::string last_error()
 {
     const char* sentence = nullptr;
@@ -39,7 +42,24 @@ int layout_key(int key, int scancode)
     return letter ? name[0] - 'a' + GLFW_KEY_A : key;
 }
 
+// The size, or less where the screen has less room. On a screen of many pixels an inch each unit is more than one.
+glm::ivec2 size_on_screen(glm::ivec2 size)
+{
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    glm::ivec4 area{0, 0, 0, 0};
+    glm::vec2 scale{1, 1};
+    if (monitor) glfwGetMonitorWorkarea(monitor, &area.x, &area.y, &area.z, &area.w);
+    if (monitor) glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+    return area.z > 0 && area.w > 0 ? fitting_size(size, {area.z, area.w}, scale) : size;
+}
+
 }  // namespace
+
+glm::ivec2 fitting_size(glm::ivec2 wanted, glm::ivec2 area_px, glm::vec2 scale)
+{
+    glm::vec2 most = glm::vec2(area_px) / scale - glm::vec2(0, title_bar);
+    return glm::max(glm::ivec2(1), glm::min(wanted, glm::ivec2(most)));
+}
 
 void Window::ContextDeleter::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
 
@@ -54,6 +74,7 @@ Window::Window(const std::string& title, glm::ivec2 size)
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "fieldwright");
+    size = size_on_screen(size);
     window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
     if (!window_) {
         std::string reason = last_error();
@@ -61,7 +82,8 @@ Window::Window(const std::string& title, glm::ivec2 size)
         throw graph::Failure(4, "the display offers no OpenGL 3.3 window (" + reason +
                                     "); the commands of `fieldwright --help` work without one");
     }
-    glfwSetWindowSizeLimits(window_, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glm::ivec2 smallest = glm::min(smallest_px, size_px());
+    glfwSetWindowSizeLimits(window_, smallest.x, smallest.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     context_.reset(ImGui::CreateContext());

@@ -15,6 +15,10 @@ struct ImGuiContext;
 
 namespace fieldwright::app {
 
+// The size a new window is given, in units of which `scale` make a pixel on each side: with a title bar it fits into the
+// screen's free area.
+glm::ivec2 fitting_size(glm::ivec2 wanted, glm::ivec2 area_px, glm::vec2 scale);
+
 class Window {
 public:
     // Throws graph::Failure{4} when there is no display or no OpenGL 3.3 for it.

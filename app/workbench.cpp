@@ -13,12 +13,13 @@
 namespace fieldwright::app {
 namespace {
 
-constexpr double frame_s = 1.0 / 60;  // while something moves
-constexpr double frame_share = 0.5;   // of the time, at most: the picture is drawn on the same cores
-constexpr double script_s = 0.05;     // between the looks of a script at a window at rest
-constexpr double lively_s = 0.35;     // frames go on this long after the last input: fades, hovering, framing
-constexpr double settling_s = 0.15;   // a hand this long at rest gets a picture in full
-constexpr double idle_s = 1;          // autosave and the like look this often
+constexpr double frame_s = 1.0 / 60;      // while something moves
+constexpr double frame_share = 0.5;       // of the time, at most: the picture is drawn on the same cores
+constexpr double script_s = 0.05;         // between the looks of a script at a window at rest
+constexpr double lively_s = 0.35;         // frames go on this long after the last input: fades, hovering, framing
+constexpr double settling_s = 0.15;       // a hand this long at rest gets a picture in full
+constexpr double first_picture_s = 0.03;  // a frame waits this long for the picture of what it shows
+constexpr double idle_s = 1;              // autosave and the like look this often
 constexpr double watch_s = FolderWatch::interval_s;
 constexpr double blink_s = 0.4;  // of the text cursor
 
@@ -118,7 +119,8 @@ int Workbench::run()
 void Workbench::turn()
 {
     window_.wait(patience_s());
-    take_result();
+    while (take_result()) {
+    }
     forget_refusal();
     watch_shaders();
     answer_dialog();
@@ -161,7 +163,12 @@ bool Workbench::something_moves() const
     return window_.visible() && (is_lively() || blinking || due || played || editor_.view.playing);
 }
 
-double Workbench::next_frame_s() const { return last_frame_s_ + std::max(frame_s, frame_times_.whole_s / frame_share); }
+// Moves are many and wait for their turn. A press and an edit's first picture do not.
+double Workbench::next_frame_s() const
+{
+    if (hurried_ || window_.input.has_press()) return last_frame_s_;
+    return last_frame_s_ + std::max(frame_s, frame_times_.whole_s / frame_share);
+}
 
 // How long the window may sleep when nothing comes in.
 double Workbench::patience_s() const
@@ -176,6 +183,7 @@ void Workbench::frame()
 {
     double now = now_s(), passed = last_frame_s_ > 0 ? now - last_frame_s_ : frame_s;
     last_frame_s_ = now;
+    hurried_ = false;
     frames_owed_ = std::max(frames_owed_ - 1, 0);
     ui::ViewState& view = editor_.view;
     if (view.playing) view.time_s = std::fmod(view.time_s + passed, std::max(view.loop_s, 0.1));
@@ -187,20 +195,38 @@ void Workbench::frame()
     window_.end_frame();
     if (output.text_expected) window_.input.wait_for_text();
     frame_times_.ui_s = now_s() - now;
+    if (follow(output, now)) await_first_picture();
     window_.draw_frame();
     if (script_) play_script();
     window_.show_frame();
+    pictured_generation_ = shown_generation_;
+    frame_times_.whole_s = now_s() - now;
+    ++frames_drawn_;
+}
 
+// What the hands did, before it is drawn, since its picture takes longer. Whether another scene is shown from now on.
+bool Workbench::follow(const ui::Editor::Output& output, double frame_start_s)
+{
     if (output.document_changed) scene_.update(session_.document(), session_.library());
     if (!output.settled_step.empty()) session_.settle(output.settled_step);
     for (const ui::Request& request : output.requests) perform(request);
     // A hand that holds something at a pane's edge moves the view without moving itself.
     bool holding = output.hands_moving && ImGui::IsAnyMouseDown();
     if (holding || output.document_changed || editor_.viewport().moving()) touch();
-    redraw_at_s_ = output.redraw_in_s ? std::optional(now + *output.redraw_in_s) : std::nullopt;
-    request_picture(output.hands_moving);
-    frame_times_.whole_s = now_s() - now;
-    ++frames_drawn_;
+    redraw_at_s_ = output.redraw_in_s ? std::optional(frame_start_s + *output.redraw_in_s) : std::nullopt;
+    bool edited = request_picture(output.hands_moving);
+    if (edited) awaited_generation_ = requested_->generation;
+    return edited;
+}
+
+// The frame that shows an edit shows its picture too, where that is there soon: the picture's threads have the machine to
+// themselves meanwhile, and a second frame is saved.
+void Workbench::await_first_picture()
+{
+    render_thread_.wait(awaited_generation_, first_picture_s);
+    while (take_result()) {
+    }
+    hurried_ = false;
 }
 
 void Workbench::watch_shaders()
@@ -246,15 +272,17 @@ void Workbench::fill_readings()
     window_.rename(session_.title() + " - Fieldwright");
 }
 
-void Workbench::take_result()
+// Whether there was one.
+bool Workbench::take_result()
 {
     std::optional<renderer::RenderResult> result = render_thread_.poll();
-    if (!result) return;
+    if (!result) return false;
     frames_owed_ = std::max(frames_owed_, 2);  // the second for what follows from the first: a statistic, a legend
     ui::PictureReading& reading = readings_.picture;
     if (auto* drawn = std::get_if<renderer::DrawnPicture>(&*result)) {
         picture_.show(drawn->picture, drawn->frame);
         shown_generation_ = drawn->generation;
+        if (awaited_generation_ && shown_generation_ >= awaited_generation_) awaited_generation_ = 0, hurried_ = true;
         reading.full = drawn->final;
         reading.draw_ms = static_cast<float>(drawn->ms);
         reading.mean_steps = static_cast<float>(drawn->steps.mean);
@@ -267,6 +295,7 @@ void Workbench::take_result()
     } else if (auto* broken = std::get_if<renderer::Failed>(&*result)) {
         say(broken->sentence, true);
     }
+    return true;
 }
 
 // Once a newer picture is drawn and nobody complained again.
@@ -277,17 +306,21 @@ void Workbench::forget_refusal()
     touch();
 }
 
-void Workbench::request_picture(bool hands_moving)
+// Whether another scene is asked for, by a hand that is done.
+bool Workbench::request_picture(bool hands_moving)
 {
     renderer::PictureRequest request = wanted_picture();
-    if (request.frame.width < 8 || request.frame.height < 8) return;
+    if (request.frame.width < 8 || request.frame.height < 8) return false;
     if (!requested_ || !same_picture(*requested_, request)) last_change_s_ = now_s();
     // A hand that holds still, or types, waits for the whole picture.
     request.interacting = editor_.view.playing || (hands_moving && now_s() - last_change_s_ < settling_s);
-    if (requested_ && same_picture(*requested_, request) && requested_->interacting == request.interacting) return;
+    if (requested_ && same_picture(*requested_, request) && requested_->interacting == request.interacting)
+        return false;
+    bool edited = !request.interacting && (!requested_ || requested_->program != request.program);
     request.generation = requested_ ? requested_->generation + 1 : 1;
     requested_ = request;
     render_thread_.request(request);
+    return edited;
 }
 
 renderer::PictureRequest Workbench::wanted_picture() const
@@ -330,7 +363,11 @@ void Workbench::play_script()
                 glm::ivec2 size = window_.size_px();
                 renderer::write_png(path, {size.x, size.y, window_.screenshot()});
             },
-        .resize = [&](glm::ivec2 size) { window_.resize(size); },
+        .resize =
+            [&](glm::ivec2 size) {
+                window_.resize(size);
+                hurried_ = true;
+            },
         .quit = [&] { quit_ = true; },
     };
     script_->play(stage);

@@ -49,7 +49,8 @@ public:
     ui::InputQueue& input() { return window_.input; }
     const ui::Readings& readings() const { return readings_; }
     renderer::RenderStatus rendering() const { return render_thread_.status(); }
-    std::uint64_t shown_generation() const { return shown_generation_; }  // of the picture in the viewport
+    std::uint64_t shown_generation() const { return shown_generation_; }        // of the picture in the viewport
+    std::uint64_t pictured_generation() const { return pictured_generation_; }  // of the picture in the last frame
     std::uint64_t asked_generation() const { return requested_ ? requested_->generation : 0; }
 
 private:
@@ -62,9 +63,11 @@ private:
     double patience_s() const;
     void watch_shaders();
     void fill_readings();
-    void take_result();
+    bool take_result();
+    void await_first_picture();
     void forget_refusal();
-    void request_picture(bool hands_moving);
+    bool request_picture(bool hands_moving);
+    bool follow(const ui::Editor::Output& output, double frame_start_s);
     renderer::PictureRequest wanted_picture() const;
     void perform(const ui::Request& request);
     void choose(const ui::ChooseFile& request);
@@ -109,10 +112,13 @@ private:
     std::uint64_t refused_generation_ = 0;  // of the picture that compile_error_ is about
     bool quit_ = false;
     int frames_owed_ = 0;
+    bool hurried_ = false;  // what the hand waits for is there: it is drawn at once
     double last_frame_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything
     std::optional<renderer::PictureRequest> requested_;
     std::uint64_t shown_generation_ = 0;
+    std::uint64_t awaited_generation_ = 0;  // of an edit whose first picture is not shown yet; 0 = of none
+    std::uint64_t pictured_generation_ = 0;
     FrameTimes frame_times_;
     int frames_drawn_ = 0, placed_frame_ = 0;
 };

@@ -8,7 +8,8 @@
 namespace fieldwright::renderer {
 namespace {
 
-constexpr double coarse_seconds = 0.05;  // half of what a hand notices: the machine may be busy
+constexpr double coarse_seconds = 0.05;  // while a hand moves: half of what it notices, the machine may be busy
+constexpr double first_seconds = 0.012;  // after an edit: a frame waits for it
 
 }  // namespace
 
@@ -51,7 +52,8 @@ bool CpuWorker::draw_passes(const Job& job)
     const PictureRequest& request = *job.request;
     std::optional<int> shown_divisor = show_again(desk_, Device::cpu, job);
     double pace = expected_seconds_per_pixel(*request.program);
-    for (const PassPlan& plan : passes(request, pace, coarse_seconds, shown_divisor)) {
+    double seconds_to_first = request.interacting ? coarse_seconds : first_seconds;
+    for (const PassPlan& plan : passes(request, pace, seconds_to_first, shown_divisor)) {
         std::optional<double> seconds = PicturePass(desk_, frames_, Device::cpu, job, plan).draw(draw_on_cpu);
         if (!seconds) return false;
         double eyes = request.stereo == Stereo::off ? 1 : 2;

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double coarse_seconds = 0.05;
 constexpr double clearly_faster = 0.85;    // of the CPU's time, or nothing changes hands
+constexpr double as_likely_as_not = 1.1;   // of it, as guessed: scenes lie a factor of two to either side
 constexpr double worth_compiling = 0.25;   // s of the CPU's for a full picture, on software GL
 constexpr std::size_t refused_limit = 64;  // texts
 constexpr int trial_divisor = 8;
@@ -119,10 +120,9 @@ bool GpuWorker::expected_to_pay(const Job& job) const
     if (job.request->interacting) return false;
     const graph::Program& program = *job.request->program;
     double cpu = expected_cpu_seconds(program);
-    double gpu =
-        pace_.known_near(program) ? pace_.seconds_per_pixel(program) : cpu * guessed_software_gl_ratio(program);
     bool is_slow = cpu * static_cast<double>(pixel_count(job.request->frame)) > worth_compiling;
-    return is_slow && gpu < clearly_faster * cpu;
+    if (!pace_.known_near(program)) return is_slow && guessed_software_gl_ratio(program) < as_likely_as_not;
+    return is_slow && pace_.seconds_per_pixel(program) < clearly_faster * cpu;
 }
 
 // Per pixel.

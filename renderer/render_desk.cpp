@@ -52,6 +52,7 @@ void RenderDesk::put(PictureRequest request)
     bool ready = false;
     {
         std::lock_guard lock(mutex_);
+        newest_is_edit_ = newest_.request && newest_.request->program != request.program;
         std::uint64_t serial = newest_.serial + (repeats_newest(request) ? 0 : 1);
         newest_ = {std::make_shared<const PictureRequest>(std::move(request)), serial};
         if (repeats_final()) {
@@ -79,6 +80,13 @@ std::optional<RenderResult> RenderDesk::take()
     return result;
 }
 
+void RenderDesk::wait_for_result(std::uint64_t generation, double seconds)
+{
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                      [&] { return !reports_.empty() || (picture_ && picture_->generation >= generation); });
+}
+
 RenderStatus RenderDesk::status() const
 {
     std::lock_guard lock(mutex_);
@@ -102,7 +110,9 @@ void RenderDesk::close()
 bool RenderDesk::has_work(Device device) const
 {
     if (device == Device::gpu) return gpu_done_ != newest_.serial;
-    bool gpu_decides = with_gpu_ && !gpu_absent_ && decided_ != newest_.serial;
+    // An edit's text is hardly ever linked on software GL, and its thread is the last to be run.
+    bool cpu_starts = status_.gpu_is_software && newest_is_edit_;
+    bool gpu_decides = with_gpu_ && !gpu_absent_ && !cpu_starts && decided_ != newest_.serial;
     return cpu_done_ != newest_.serial && is_lead(device, newest_) && !gpu_decides;
 }
 
@@ -249,6 +259,7 @@ void RenderDesk::report(RenderResult result)
         if (reports_.size() == report_limit) reports_.pop_front();
         reports_.push_back(std::move(result));
     }
+    changed_.notify_all();
     if (on_ready_) on_ready_();
 }
 

@@ -28,6 +28,7 @@ public:
     // The window's side.
     void put(PictureRequest request);
     std::optional<RenderResult> take();
+    void wait_for_result(std::uint64_t generation, double seconds);
     RenderStatus status() const;
     void close();  // the threads' waits end, and what they draw stops
 
@@ -81,6 +82,7 @@ private:
 
     // Serials count from 1; 0 is none.
     Job newest_;
+    bool newest_is_edit_ = false;                // of another program than the one before
     std::uint64_t cpu_done_ = 0, gpu_done_ = 0;  // serial of the last job that needs nothing more of the device
     std::uint64_t claimed_ = 0;                  // by the GPU
     std::uint64_t decided_ = 0;

@@ -83,6 +83,8 @@ public:
 
     void request(PictureRequest request);  // the newest wins; returns at once
     std::optional<RenderResult> poll();    // what is new since the last poll: reports first, then the newest picture
+    // Returns when there is a report or a picture of that generation to poll, or the time is over.
+    void wait(std::uint64_t generation, double seconds);
     RenderStatus status() const;
 
 private:

@@ -75,6 +75,14 @@ void InputQueue::push(InputEvent event)
     else events_.push_back(event);
 }
 
+bool InputQueue::has_press() const
+{
+    return std::any_of(events_.begin(), events_.end(), [](const InputEvent& event) {
+        return event.kind == InputEvent::Kind::button || event.kind == InputEvent::Kind::key ||
+               event.kind == InputEvent::Kind::character;
+    });
+}
+
 void InputQueue::release_all(ImGuiIO& io)
 {
     std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);

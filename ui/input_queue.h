@@ -33,6 +33,7 @@ public:
     // A text field is about to open: what comes next waits for it, a few frames at most.
     void wait_for_text() { text_patience_ = longest_text_wait; }
     bool empty() const { return events_.empty(); }
+    bool has_press() const;  // a key, a button or a letter waits, down or up
 
     // Everything passed so far, when recording: `frame` lines between the events of different frames.
     void start_recording() { recording_.emplace(); }

@@ -74,6 +74,20 @@ TEST_F(CommandLine, eval_names_the_line_that_is_no_point)
     }
 }
 
+TEST_F(CommandLine, the_cpu_refuses_shading_that_it_was_not_built_with)
+{
+    std::string scene = new_scene("sphere"), shaders = path("shaders"), picture = path("a.png");
+    std::filesystem::copy(source_folder() / "shaders", shaders, std::filesystem::copy_options::recursive);
+    std::string render = "--shaders " + shaders + " render " + scene + " --size 32x18 -q -o " + picture + " --device ";
+    EXPECT_EQ(run_program(render + "cpu").code, 0) << "the same text is the same shading";
+    std::filesystem::remove(picture);
+    write_text(shaders + "/render/shading.glsl", read_text(shaders + "/render/shading.glsl") + "\n// Changed.\n");
+    expect_refusal(render + "cpu", 1, "--device gpu");
+    EXPECT_FALSE(std::filesystem::exists(picture));
+    EXPECT_EQ(run_program(render + "auto").code, 0);
+    EXPECT_TRUE(std::filesystem::exists(picture));
+}
+
 TEST_F(CommandLine, usage_errors_exit_with_2)
 {
     std::string scene = new_scene("sphere"), out = " -o " + path("a.png");

@@ -68,6 +68,40 @@ TEST_F(ScriptTest, keys_come_with_their_modifiers_and_text_as_letters)
               "key 341 down; key 90 down; key 90 up; key 341 up; character 97; character 98; ");
 }
 
+TEST_F(ScriptTest, text_of_any_alphabet_comes_as_code_points)
+{
+    EXPECT_EQ(played(script("type \u00e9\u03b1\u6c34\U0001f642 x\n")),
+              "character 233; character 945; character 27700; character 128578; character 32; character 120; ");
+    for (const char* broken : {"\xff", "a\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80"})
+        EXPECT_THROW(script(std::string("type ") + broken + "\n"), graph::Failure) << broken;
+}
+
+TEST_F(ScriptTest, every_key_that_a_shortcut_may_use_has_a_name)
+{
+    auto key = [](std::string_view text) { return app::parse_key_chord(text).value_or(app::KeyChord{-1}).key; };
+    EXPECT_EQ(key("a"), ui::key::a);
+    EXPECT_EQ(key("z"), ui::key::z);
+    EXPECT_EQ(key("0"), ui::key::zero);
+    EXPECT_EQ(key("ctrl+9"), ui::key::nine);
+    for (int number = 1; number <= 12; ++number) EXPECT_EQ(key("f" + std::to_string(number)), ui::key::f1 + number - 1);
+    EXPECT_EQ(key("f12"), ui::key::f12);
+    EXPECT_EQ(key("home"), ui::key::home);
+    EXPECT_EQ(key("end"), ui::key::end);
+    EXPECT_EQ(key("shift+page_up"), ui::key::page_up);
+    EXPECT_EQ(key("page_down"), ui::key::page_down);
+    EXPECT_EQ(key("keypad_9"), ui::key::keypad_9);
+    EXPECT_EQ(key("comma"), ui::key::comma);
+    for (const char* none : {"f0", "f13", "10", "A", "", "ctrl+"}) EXPECT_EQ(key(none), -1) << none;
+}
+
+TEST_F(ScriptTest, sizes_follow_each_other_frame_by_frame)
+{
+    std::string sizes;
+    for (int i = 1; i <= 50; ++i) sizes += "resize " + std::to_string(100 + i) + "x80\n";
+    played(script(sizes), 55);
+    EXPECT_EQ(size, glm::ivec2(150, 80));
+}
+
 TEST_F(ScriptTest, a_drag_moves_in_steps_between_press_and_release)
 {
     rects.listening = true;

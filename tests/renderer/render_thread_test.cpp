@@ -113,14 +113,6 @@ double processor_seconds()
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-double resident_megabytes()
-{
-    std::ifstream file("/proc/self/statm");
-    double pages = 0, resident = 0;
-    file >> pages >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
-
 std::string word_of(const std::filesystem::path& path)
 {
     std::ifstream file(path);
@@ -296,19 +288,21 @@ TEST(RenderThread, ends_at_once_in_the_midst_of_a_picture)
     }
 }
 
-TEST(RenderThread, keeps_nothing_of_the_sizes_a_window_had)
+TEST(RenderThread, lets_its_owner_wait_for_a_picture_but_not_for_long)
 {
-    ProgramPointer program = program_of(balls(2));
-    for (Device device : {Device::cpu, Device::gpu}) {
-        Desk desk(device);
-        auto resize = [&](int i) {
-            return desk.final_picture(desk.ask(request_of(program, 100 + 3 * (i % 40), 120 - 2 * (i % 40))));
-        };
-        for (int i = 0; i < 80; ++i) ASSERT_TRUE(resize(i));
-        double before = resident_megabytes();
-        for (int i = 0; i < 200; ++i) ASSERT_TRUE(resize(i));
-        EXPECT_LT(resident_megabytes() - before, 8) << "MB more after 200 sizes";
-    }
+    Desk desk(Device::cpu);
+    std::uint64_t generation = desk.ask(request_of(program_of(balls(8)), 320, 180));
+    auto start = Clock::now();
+    desk.thread.wait(generation, 60);
+    EXPECT_LT(Clock::now() - start, 30s);
+    std::optional<RenderResult> result = desk.thread.poll();
+    ASSERT_TRUE(result && std::holds_alternative<DrawnPicture>(*result));
+    EXPECT_EQ(std::get<DrawnPicture>(*result).generation, generation);
+    desk.rests();
+    desk.thread.poll();
+    start = Clock::now();
+    desk.thread.wait(generation + 1, 0.02);
+    EXPECT_GE(Clock::now() - start, 20ms);
 }
 
 TEST(RenderThread, rests_when_the_picture_is_there)
@@ -362,7 +356,8 @@ TEST(RenderThread, calls_when_there_is_something_to_poll)
 
 TEST(RenderThread, gives_way_to_the_windows_thread)
 {
-    if (getpriority(PRIO_PROCESS, static_cast<id_t>(getpid())) >= picture_nice) GTEST_SKIP() << "all threads are as low here";
+    if (getpriority(PRIO_PROCESS, static_cast<id_t>(getpid())) >= picture_nice)
+        GTEST_SKIP() << "all threads are as low here";
     Desk desk(Device::automatic);
     ASSERT_TRUE(desk.final_picture(desk.ask(request_of(program_of(balls(60)), 320, 180))));
     std::set<std::string> seen;

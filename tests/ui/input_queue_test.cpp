@@ -167,6 +167,19 @@ TEST_F(QueueOverSlowFrames, lost_focus_releases_everything)
     EXPECT_FALSE(ImGui::GetIO().KeyShift);
 }
 
+TEST_F(QueueOverSlowFrames, tells_a_press_that_waits_from_a_mere_move)
+{
+    queue.push({.kind = Kind::move, .at = {50, 60}});
+    queue.push({.kind = Kind::wheel, .at = {0, 1}});
+    EXPECT_FALSE(queue.has_press());
+    for (Kind kind : {Kind::key, Kind::button, Kind::character}) {
+        queue.push({.kind = kind, .code = 1, .down = true});
+        EXPECT_TRUE(queue.has_press());
+        count_over_frames([] { return 0; });
+        EXPECT_FALSE(queue.has_press());
+    }
+}
+
 TEST_F(QueueOverSlowFrames, a_recording_replays_the_same_events)
 {
     std::vector<ui::InputEvent> events = {{.kind = Kind::move, .at = {10.5f, 20}},
