@@ -3,7 +3,9 @@
 
 #include "app/new_scene.h"
 #include "graph/adapt.h"
+#include "graph/layout.h"
 #include "graph/scene_file.h"
+#include "ui/node_geometry.h"
 
 namespace fieldwright::app {
 
@@ -17,6 +19,16 @@ std::optional<fs::path> absolute_path(std::optional<fs::path> path)
 {
     if (path) path = fs::absolute(*path).lexically_normal();
     return path;
+}
+
+bool lay_out_heaps(graph::Document& document, const graph::Library& library)
+{
+    if (!graph::lies_in_heaps(document.root)) return false;
+    auto size_px = [&](graph::NodeId id) {
+        const graph::Node& node = *document.root.find(id);
+        return ui::node_size(node, library.type(node.type));
+    };
+    return !graph::arrange(document, {}, size_px);
 }
 
 }  // namespace
@@ -88,6 +100,7 @@ void EditSession::start(graph::Document document, std::optional<fs::path> path)
     path_ = absolute_path(std::move(path));
     stamp_.reset();
     saved_ = false;
+    laid_out_ = false;
 }
 
 void EditSession::new_scene() { start(app::new_scene(*library_), std::nullopt); }
@@ -96,8 +109,11 @@ void EditSession::open(const fs::path& path)
 {
     // Stamped before it is read: what is written in between counts as changed.
     std::optional<FileStamp> stamp = file_stamp(path);
-    start(graph::open_scene(path, *library_), path);
+    graph::Document document = graph::open_scene(path, *library_);
+    bool heaps = lay_out_heaps(document, *library_);
+    start(std::move(document), path);
     stamp_ = stamp;
+    laid_out_ = heaps;
 }
 
 void EditSession::recover(const fs::path& copy, std::optional<fs::path> origin, const FileStamp& stamp)

@@ -31,7 +31,9 @@ public:
 
     // Scenes. All but `save` drop the history; the window asks about unsaved changes before.
     void new_scene();
-    void open(const std::filesystem::path& path);  // graph::Failure; then nothing changed
+    // graph::Failure; then nothing changed. Nodes that lie in heaps are laid out, which is no unsaved change.
+    void open(const std::filesystem::path& path);
+    bool laid_out() const { return laid_out_; }  // when it was opened
     // Opens a kept copy as unsaved changes of the file it came from, which had that stamp. graph::Failure
     void recover(const std::filesystem::path& copy, std::optional<std::filesystem::path> origin,
                  const FileStamp& stamp);
@@ -61,6 +63,7 @@ private:
     std::optional<std::filesystem::path> path_;
     std::optional<FileStamp> stamp_;
     bool saved_ = false;  // since it was opened
+    bool laid_out_ = false;
 };
 
 // The path with `.scene.json` added, unless it ends in `.json` already.

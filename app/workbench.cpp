@@ -6,6 +6,7 @@
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
 #include "graph/scene_file.h"
+#include "ui/viewport_overlay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
     recall_panes(state_, editor_.view);
     if (!options.scene.empty()) attempt([&] { recent_.add(*session_.path()); });
     scene_replaced();
+    if (session_.laid_out()) say_opened();
     list_recoverable();
 }
 
@@ -97,6 +99,7 @@ void Workbench::say(std::string sentence, bool is_error)
 {
     readings_.status = std::move(sentence);
     readings_.status_is_error = is_error;
+    ++readings_.status_count;
     touch();
 }
 
@@ -335,7 +338,8 @@ renderer::PictureRequest Workbench::wanted_picture() const
     request.frame.convergence = view.convergence;
     if (!view.through_camera || !scene_.has_camera()) request.frame.camera = renderer_camera(view.camera);
     request.view = renderer::view_from_name(view.view).value_or(renderer::View::beauty);
-    request.stereo = renderer::stereo_from_name(view.stereo).value_or(renderer::Stereo::off);
+    if (ui::has_stereo(view.view))
+        request.stereo = renderer::stereo_from_name(view.stereo).value_or(renderer::Stereo::off);
     return request;
 }
 

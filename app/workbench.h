@@ -85,6 +85,7 @@ private:
     void write_places();
     void leave_view();
     void show_view();
+    void say_opened();
     void say(std::string sentence, bool is_error = false);
     // Runs `action`; a failure becomes the status line's sentence.
     bool attempt(const std::function<void()>& action);

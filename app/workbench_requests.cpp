@@ -21,13 +21,12 @@ const char* dialog_title(ui::ChooseFile::Then then)
     return "";
 }
 
-std::string when_text(std::int64_t time_s)
+std::string time_text(const char* format, std::time_t time)
 {
-    std::time_t time = time_s;
     std::tm local{};
     localtime_r(&time, &local);
     char text[64];
-    std::strftime(text, sizeof text, "%d %B, %H:%M", &local);
+    std::strftime(text, sizeof text, format, &local);
     return text;
 }
 
@@ -58,7 +57,7 @@ void Workbench::list_recoverable()
 {
     readings_.recovered.clear();
     for (const Recovery& recovery : autosave_.recoverable())
-        readings_.recovered.push_back({recovery.id, recovery.title, when_text(recovery.time_s)});
+        readings_.recovered.push_back({recovery.id, recovery.title, time_text("%d %B, %H:%M", recovery.time_s)});
 }
 
 void Workbench::recover(const std::string& id)
@@ -124,14 +123,20 @@ void Workbench::open(const std::filesystem::path& path)
     if (!attempt([&] { session_.open(path); })) return;
     attempt([&] { recent_.add(*session_.path()); });
     scene_replaced();
-    say("Opened " + session_.name());
+    say_opened();
+}
+
+void Workbench::say_opened()
+{
+    say("Opened " + session_.name() +
+        (session_.laid_out() ? "; its nodes lay on one another and were laid out side by side" : ""));
 }
 
 void Workbench::save(const std::optional<std::filesystem::path>& path)
 {
     if (!attempt([&] { path ? session_.save_as(*path) : session_.save(); })) return;
     attempt([&] { recent_.add(*session_.path()); });
-    say("Saved " + session_.name());
+    say("Saved " + session_.name() + " at " + time_text("%H:%M:%S", std::time(nullptr)));
 }
 
 void Workbench::export_shader(const ui::ExportFile& request)

@@ -17,11 +17,10 @@ Placed refusal(std::string sentence) { return {{}, std::move(sentence)}; }
 std::string no_type(std::string_view name) { return "there is no node type " + in_quotes(name); }
 std::string no_node(NodeId id) { return "there is no node " + std::to_string(id.number); }
 
-std::string no_input_for(std::string_view type, const Node& source, const Offer& offer)
+std::string no_input_for(const NodeType& type, const std::string& source, const Offer& offer)
 {
-    std::string dimension = offer.dimension ? std::to_string(offer.dimension) + "D " : "";
-    std::string given = carries_field(offer.kind) ? dimension + "field" : std::string(socket_kind_name(offer.kind));
-    return in_quotes(type) + " has no free input for the " + given + " that " + described(source) + " gives";
+    return "no free input of " + titled(type.title) + " takes " +
+           kind_named(Wording::titles, offer.kind, offer.dimension) + ", which " + source + " gives";
 }
 
 // The output and its input, both made when missing.
@@ -87,7 +86,7 @@ Placed insert_before_output(Document& document, const Library& library, const No
     Draft draft(document, library);
     NodeId added = draft.add(type.name, output.position - glm::vec2(column_px, 0));
     if (!type.is_field() || field_inputs(type).empty())
-        return refusal("nothing reads " + described(output) + "; select a field");
+        return refusal("nothing reads " + titled(node_title(output, library.type(output.type))) + "; select a shape");
     if (NodeId shown = output.input(socket)) draft.wire(shown, added, field_inputs(type).front());
     draft.wire(added, output.id, socket);
     return draft.finish(added);
@@ -261,7 +260,7 @@ Placed add_primitive_to_output(Document& document, const Library& library, std::
 {
     const NodeType* type = library.type(name);
     if (!type) return refusal(no_type(name));
-    if (!is_shape(*type)) return refusal(in_quotes(name) + " is not a shape; it cannot be shown by itself");
+    if (!is_shape(*type)) return refusal(titled(type->title) + " is not a shape; it cannot be shown by itself");
     Draft draft(document, library);
     NodeId shape = draft.add(name, position), last = shape;
     if (type->output == SocketKind::field2d) last = draft.append(last, known_types::extrude);
@@ -284,7 +283,7 @@ Placed add_to_output(Document& document, const Library& library, std::string_vie
     const Socket* socket = nullptr;
     for (const Socket& input : library.type(draft.node(output).type)->inputs)
         if (!carries_field(input.kind) && input.kind == type->output) socket = &input;
-    if (!socket) return refusal(in_quotes(name) + " is nothing that an output takes beside its field");
+    if (!socket) return refusal(titled(type->title) + " is nothing that an output takes beside its shape");
     draft.wire(added, output, socket->name);
     return draft.finish(added);
 }
@@ -299,7 +298,7 @@ Placed insert_after(Document& document, const Library& library, std::string_view
     if (node_type && is_output(*node_type)) return insert_before_output(document, library, *type, *node);
     Offer offer = offer_of(document, library, selected);
     const Socket* socket = first_input_for(*type, offer);
-    if (!socket) return refusal(no_input_for(name, *node, offer));
+    if (!socket) return refusal(no_input_for(*type, titled(title_of(*node, library)), offer));
     Readers readers(document.root);
     Draft draft(document, library);
     NodeId added = draft.add(name, node->position + glm::vec2(column_px, 0));
@@ -317,7 +316,7 @@ Placed combine(Document& document, const Library& library, std::string_view name
         if (!document.root.find(side)) return refusal(no_node(side));
     if (first == second) return refusal("two different nodes are combined; select another one too");
     std::vector<std::string> sides = field_inputs(*type);
-    if (sides.size() < 2) return refusal(in_quotes(name) + " does not combine two fields");
+    if (sides.size() < 2) return refusal(titled(type->title) + " does not combine two shapes");
     Readers readers(document.root);
     std::vector<Wire> outer = outer_readers(document.root, readers, first, second);
     std::set<NodeId> unions = unions_of(document, outer, first, second);
@@ -337,18 +336,19 @@ Placed combine(Document& document, const Library& library, std::string_view name
 
 Refusal insert_on_wire(Document& document, const Library& library, NodeId id, NodeId target, std::string_view socket)
 {
-    const Node* node = document.root.find(id);
-    const Node* reader = document.root.find(target);
+    const Node *node = document.root.find(id), *reader = document.root.find(target);
     if (!node) return no_node(id);
     if (!reader) return no_node(target);
     NodeId source = reader->input(socket);
-    if (!source) return "nothing is wired to " + in_quotes(socket) + " of " + described(*reader);
-    if (id == source || id == target) return described(*node) + " is an end of this wire already";
     const NodeType* type = library.type(node->type);
-    if (!type) return described(*node) + " is of a type this version does not know";
+    if (!source)
+        return "nothing is wired to " + titled(socket_label(library.type(reader->type), socket)) + " of " +
+               titled(title_of(*reader, library));
+    if (id == source || id == target) return titled(node_title(*node, type)) + " is an end of this wire already";
+    if (!type) return titled(node_title(*node, type)) + " is of a type this version does not know";
     Offer offer = offer_of(document, library, source);
     const Socket* input = first_input_for(*type, offer, node);
-    if (!input) return no_input_for(node->type, *document.root.find(source), offer);
+    if (!input) return no_input_for(*type, titled(title_of(*document.root.find(source), library)), offer);
     return connect_all(document, library, {{source, id, input->name}, {id, target, std::string(socket)}});
 }
 
@@ -366,7 +366,7 @@ Refusal swap_inputs(Document& document, const Library& library, NodeId id)
     if (!node) return no_node(id);
     const NodeType* type = library.type(node->type);
     std::vector<std::string> names = type ? exchangeable(*type) : std::vector<std::string>();
-    if (names.empty()) return described(*node) + " has no two inputs of one kind to swap";
+    if (names.empty()) return titled(title_of(*node, library)) + " has no two inputs of one kind to swap";
     Draft draft(document, library);
     for (int i = 0; i < 2; ++i) {
         const std::string &from = names[static_cast<std::size_t>(i)], &to = names[static_cast<std::size_t>(1 - i)];

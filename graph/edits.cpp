@@ -21,7 +21,7 @@ std::string no_node(NodeId id) { return "there is no node " + std::to_string(id.
 Refusal placeholder_error(const Node& node)
 {
     if (node.unknown_source.empty()) return std::nullopt;
-    return described(node) +
+    return titled(node_title(node, nullptr)) +
            " is of a type this version does not know and is kept as it is; delete it or open the "
            "scene with a newer version";
 }
@@ -101,10 +101,10 @@ int upstream_dimension(const Graph& graph, const Library& library, NodeId start)
     return 0;
 }
 
-Refusal setting_refusal(const char* group, const std::optional<SettingError>& error)
+Refusal setting_refusal(const std::optional<SettingError>& error)
 {
     if (!error) return std::nullopt;
-    return std::string(group) + " setting `" + error->name + "` " + error->what;
+    return titled(in_words(error->name)) + " " + error->what;
 }
 
 Refusal name_error(std::string_view name)
@@ -166,8 +166,7 @@ Refusal new_wires_error(const Document& document, const Library& library, const 
     for (const auto& [target, socket] : fresh)
         if (NodeId source = document.root.find(target)->input(socket))
             if (Refusal refusal = rules.add(source, target, socket)) return refusal;
-    if (std::vector<NodeId> cycle = find_cycle(document.root); !cycle.empty())
-        return "the wires would make a cycle: " + cycle_text(cycle);
+    if (!find_cycle(document.root).empty()) return "these wires would make a cycle: nothing can be made of itself";
     return std::nullopt;
 }
 
@@ -215,8 +214,8 @@ Refusal connect(Document& document, const Library& library, NodeId source, NodeI
     if ((refusal = wire_error(document, library, source, target, socket))) return refusal;
     if (wire_count(document.root) >= wire_limit) return "a scene has at most " + std::to_string(wire_limit) + " wires";
     if (reaches(document.root, source, target))
-        return "wiring " + described(*document.root.find(source)) + " to `" + std::string(socket) + "` of " +
-               described(*node) + " would make a cycle";
+        return titled(title_of(*document.root.find(source), library)) + " is made of " +
+               titled(title_of(*node, library)) + " itself; this wire would make a cycle";
     assign_input(*node, socket, source);
     return std::nullopt;
 }
@@ -245,7 +244,7 @@ Refusal disconnect(Document& document, NodeId target, std::string_view socket)
     if (!node) return refusal;
     auto place = input_place(*node, socket);
     if (place == node->inputs.end() || place->first != socket)
-        return "nothing is wired to " + in_quotes(socket) + " of " + described(*node);
+        return "nothing is wired to " + in_quotes(socket) + " of " + titled(node_title(*node, nullptr));
     node->inputs.erase(place);
     return std::nullopt;
 }
@@ -256,13 +255,13 @@ Refusal set_parameter(Document& document, const Library& library, NodeId id, std
     Node* node = editable(document, id, refusal);
     if (!node) return refusal;
     const NodeType* type = library.type(node->type);
-    if (!type) return described(*node) + " is of a type this version does not know";
+    if (!type) return titled(title_of(*node, library)) + " is of a type this version does not know";
     const Parameter* parameter = type->parameter(name);
     if (!parameter)
-        return described(*node) + " has no parameter " + in_quotes(name) + "; its parameters are " +
+        return titled(node_title(*node, type)) + " has no parameter " + in_quotes(name) + "; its parameters are " +
                parameter_names(*type);
     if (std::string error = value_error(*parameter, value); !error.empty())
-        return "`" + parameter->name + "` of " + described(*node) + " " + error;
+        return titled(socket_label(type, name)) + " of " + titled(node_title(*node, type)) + " " + error;
     for (auto& [key, current] : node->parameters)
         if (key == name) current = std::move(value);
     return std::nullopt;
@@ -283,7 +282,7 @@ Refusal move_node(Document& document, NodeId id, glm::vec2 position)
     Refusal refusal;
     Node* node = editable(document, id, refusal);
     if (!node) return refusal;
-    if (!is_finite(position)) return "the position of " + described(*node) + " must be finite";
+    if (!is_finite(position)) return "a node's position must be finite";
     node->position = position;
     return std::nullopt;
 }
@@ -298,14 +297,14 @@ Refusal set_muted(Document& document, NodeId id, bool muted)
 
 Refusal set_march(Document& document, const MarchSettings& settings)
 {
-    if (Refusal refusal = setting_refusal("march", setting_error(settings))) return refusal;
+    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
     document.march = settings;
     return std::nullopt;
 }
 
 Refusal set_occlusion(Document& document, const OcclusionSettings& settings)
 {
-    if (Refusal refusal = setting_refusal("occlusion", setting_error(settings))) return refusal;
+    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
     document.occlusion = settings;
     return std::nullopt;
 }
@@ -328,7 +327,7 @@ Refusal wire_error(const Document& document, const Library& library, NodeId sour
         return rules.add(source, target, socket);
     }
     int taken = dimension_of(target_type->input(socket)->kind);
-    return dimension_error(*from, field_dimension(document, library, source), *to,
+    return dimension_error({from, source_type}, field_dimension(document, library, source), {to, target_type},
                            taken ? taken : field_dimension(document, library, target), socket);
 }
 
@@ -367,15 +366,15 @@ std::vector<NodeId> find_cycle(const Graph& graph)
 
 Refusal validate(const Document& document, const Library& library)
 {
-    if (Refusal refusal = setting_refusal("march", setting_error(document.march))) return refusal;
-    if (Refusal refusal = setting_refusal("occlusion", setting_error(document.occlusion))) return refusal;
+    if (Refusal refusal = setting_refusal(setting_error(document.march))) return refusal;
+    if (Refusal refusal = setting_refusal(setting_error(document.occlusion))) return refusal;
     const std::vector<Node>& nodes = document.root.nodes;
     auto unordered = [](const Node& a, const Node& b) { return a.id >= b.id; };
     if (std::adjacent_find(nodes.begin(), nodes.end(), unordered) != nodes.end())
         return "the nodes are not sorted by id, each once";
     for (const Node& node : nodes)
         if (Refusal refusal = node_error(document, library, node)) return refusal;
-    if (Refusal refusal = WireRules(document.root, library).add_all()) return refusal;
+    if (Refusal refusal = WireRules(document.root, library, Wording::file).add_all()) return refusal;
     if (std::vector<NodeId> cycle = find_cycle(document.root); !cycle.empty())
         return "the wires " + cycle_text(cycle) + " make a cycle; remove one of them";
     return std::nullopt;

@@ -16,6 +16,8 @@ inline constexpr std::string_view orthographic = "orthographic";
 inline constexpr std::string_view camera_position = "position";  // parameters of both cameras
 inline constexpr std::string_view camera_target = "target";
 inline constexpr std::string_view field_of_view = "field_of_view";  // of the perspective one, degrees
+inline constexpr std::string_view light_position = "position";      // of lamps
+inline constexpr std::string_view light_intensity = "intensity";    // of lamps, at 1 m
 inline constexpr std::string_view view_height = "height";           // of the orthographic one, m
 
 }  // namespace fieldwright::graph::known_types

@@ -171,6 +171,15 @@ std::map<NodeId, glm::vec2> layout(const Graph& graph, const std::set<NodeId>& n
     return Layering(graph, nodes, size_px).places();
 }
 
+bool lies_in_heaps(const Graph& graph)
+{
+    std::map<std::pair<float, float>, std::size_t> at;
+    for (const Node& node : graph.nodes) ++at[{node.position.x, node.position.y}];
+    std::size_t covered = 0;
+    for (const auto& [place, count] : at) covered += count > 1 ? count : 0;
+    return 2 * covered > graph.nodes.size();
+}
+
 Refusal arrange(Document& document, const std::set<NodeId>& nodes, const NodeSizes& size_px)
 {
     for (NodeId id : nodes)

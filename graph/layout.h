@@ -14,6 +14,8 @@ using NodeSizes = std::function<glm::vec2(NodeId)>;  // px at zoom 1, both more 
 // Sugiyama, Tagawa and Toda 1981). Deterministic; nothing overlaps; the left upper corner stays where it was. An empty
 // set means all nodes; those of unknown type are left out. O((nodes + wires) log nodes).
 std::map<NodeId, glm::vec2> layout(const Graph& graph, const std::set<NodeId>& nodes, const NodeSizes& size_px);
+// More than half of the nodes lie exactly on another one, as in files that scripts write.
+bool lies_in_heaps(const Graph& graph);
 // Moves the nodes there.
 Refusal arrange(Document& document, const std::set<NodeId>& nodes, const NodeSizes& size_px);
 

@@ -1,6 +1,5 @@
 // What a wire in the hand could be wired to.
 #include "graph/draft.h"
-#include "graph/json.h"
 #include "graph/wire_rules.h"
 
 #include <algorithm>
@@ -57,10 +56,12 @@ Placed add_wired(Document& document, const Library& library, std::string_view na
     if (!node) return {{}, "there is no node " + std::to_string(end.node.number)};
     std::vector<Fit> found = fits(document, library, end);
     auto fit = std::find_if(found.begin(), found.end(), [name](const Fit& one) { return one.type->name == name; });
+    const NodeType *type = library.type(name), *node_type = library.type(node->type);
     if (fit == found.end())
         return {{},
-                in_quotes(name) + " cannot be wired to " +
-                    (end.socket.empty() ? "the output of " : in_quotes(end.socket) + " of ") + described(*node)};
+                titled(type ? type->title : name) + " cannot be wired to " +
+                    (end.socket.empty() ? "" : titled(socket_label(node_type, end.socket)) + " of ") +
+                    titled(node_title(*node, node_type))};
     Draft draft(document, library);
     NodeId added = draft.add(name, position);
     if (end.socket.empty()) draft.wire(end.node, added, fit->socket);

@@ -1,6 +1,8 @@
 // From a document to its program: walks the graph from the output and emits calls.
 #include "graph/lowering.h"
 
+#include "graph/words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -24,7 +26,7 @@ Program Lowering::lower()
     if (over_cost_) {
         problems_.push_back({output >= 0 ? nodes()[static_cast<std::size_t>(output)].id : NodeId{},
                              "the scene takes more than " + std::to_string(options_.cost_limit) +
-                                 " primitive evaluations for one distance; remove copies or shared branches"});
+                                 " evaluations of shapes for one distance; remove copies or shared branches"});
         root = -1;
         std::int64_t refused_cost = cost_;  // what was counted when the limit was passed is what a reader wants to see
         distance = lower_distance(root);
@@ -64,8 +66,8 @@ void Lowering::resolve_types()
         stored_offset_.push_back(parameters);
         if (types_.back()) parameters += static_cast<int>(types_.back()->parameters.size());
         if (!types_.back())
-            problems_.push_back({node.id, "the node type `" + node.type +
-                                              "` is not in this version's library; it counts as unconnected"});
+            problems_.push_back({node.id, "this version does not know nodes of type " + titled(node.type) +
+                                              "; it counts as unconnected"});
         else if (!types_.back()->compiled)
             note(node.id, "this node is not compiled into the program and runs on the GPU only");
     }
@@ -89,7 +91,7 @@ int Lowering::find_output()
         else found = static_cast<int>(i);
     }
     if (found < 0 && !options_.root)
-        problems_.push_back({{}, "the scene has no output node; add one and wire a field to it"});
+        problems_.push_back({{}, "the scene has no output; add one and wire a shape to it"});
     return found;
 }
 

@@ -290,7 +290,9 @@ ValueId Lowering::own_lipschitz(int index)
         const Function* function = type.function(suffix);
         if (!function) continue;
         if (!type.compiled) {
-            note(node(index).id, "its Lipschitz constant is taken as 4 until the node is compiled into the program");
+            note(node(index).id,
+                 "how much it stretches space is not known until it is compiled into the program; rays take quarter "
+                 "steps here");
             multiply(builder_.constant(4.0f));
             continue;
         }

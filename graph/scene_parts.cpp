@@ -5,6 +5,8 @@
 #include "graph/known_types.h"
 #include "graph/wire_rules.h"
 
+#include <algorithm>
+
 namespace fieldwright::graph {
 namespace {
 
@@ -32,7 +34,8 @@ Refusal not_a_field(const Document& document, const Library& library, NodeId id)
     const Node* node = document.root.find(id);
     if (!node) return no_node(id);
     const NodeType* type = library.type(node->type);
-    if (!type || !type->is_field() || is_output(*type)) return described(*node) + " is not a field; select one";
+    if (!type || !type->is_field() || is_output(*type))
+        return titled(node_title(*node, type)) + " is not a shape; select one";
     return std::nullopt;
 }
 
@@ -72,7 +75,96 @@ NodeId camera_of_type(Draft& draft, std::string_view type, NodeId& replaced)
     return added.node;
 }
 
+bool makes_field(const Node& node, const Library& library)
+{
+    const NodeType* type = library.type(node.type);
+    return type && type->is_field() && !is_output(*type);
+}
+
+// Whether an unmuted shape is under a node; muted ones pass on their first input.
+bool makes_something(const Document& document, const Library& library, NodeId start)
+{
+    std::set<NodeId> seen;
+    for (std::vector<NodeId> stack = {start}; !stack.empty();) {
+        const Node* node = document.root.find(stack.back());
+        stack.pop_back();
+        if (!node || !makes_field(*node, library) || !seen.insert(node->id).second) continue;
+        std::vector<std::string> inputs = field_inputs(*library.type(node->type));
+        if (inputs.empty() && !node->muted) return true;
+        if (node->muted) inputs.resize(std::min<std::size_t>(inputs.size(), 1));
+        for (const std::string& input : inputs) stack.push_back(node->input(input));
+    }
+    return false;
+}
+
+std::size_t count_upstream(const Graph& graph, NodeId start)
+{
+    std::set<NodeId> seen;
+    for (std::vector<NodeId> stack = {start}; !stack.empty();) {
+        NodeId id = stack.back();
+        stack.pop_back();
+        if (!seen.insert(id).second) continue;
+        for (const auto& [socket, source] : graph.find(id)->inputs) stack.push_back(source);
+    }
+    return seen.size();
+}
+
+// Of the fields that nothing reads, the one made of most, and of equals the newest.
+NodeId largest_unread(const Document& document, const Library& library)
+{
+    Readers readers(document.root);
+    NodeId largest;
+    std::size_t most = 0;
+    for (const Node& node : document.root.nodes) {
+        if (!makes_field(node, library) || !readers.of(node.id).empty()) continue;
+        std::size_t count = count_upstream(document.root, node.id);
+        if (count >= most) largest = node.id, most = count;
+    }
+    return largest;
+}
+
+// A camera and a sky that nothing reads are what a new output would use.
+void wire_unread(Draft& draft, NodeId output)
+{
+    const Document& document = draft.document();
+    Readers readers(document.root);
+    for (const Socket& socket : draft.library().type(draft.node(output).type)->inputs)
+        for (const Node& node : document.root.nodes) {
+            const NodeType* type = draft.library().type(node.type);
+            bool fits = type && !carries_field(socket.kind) && type->output == socket.kind;
+            if (fits && readers.of(node.id).empty()) draft.wire(node.id, output, socket.name);
+        }
+}
+
 }  // namespace
+
+Shown shown_by_output(const Document& document, const Library& library)
+{
+    const std::vector<Node>& nodes = document.root.nodes;
+    if (std::none_of(nodes.begin(), nodes.end(), [&](const Node& node) { return makes_field(node, library); }))
+        return Shown::no_shape;
+    const Node* output = shown_output(document, library);
+    if (!output) return Shown::no_output;
+    NodeId shown = output->input(field_inputs(*library.type(output->type)).front());
+    if (!shown) return Shown::nothing_wired;
+    return makes_something(document, library, shown) ? Shown::something : Shown::nothing_made;
+}
+
+Placed show_shape(Document& document, const Library& library)
+{
+    NodeId shape = largest_unread(document, library);
+    if (!shape) return {{}, "there is no shape that nothing reads yet; add one"};
+    Draft draft(document, library);
+    if (field_dimension(document, library, shape) == 2) shape = draft.append(shape, known_types::extrude);
+    const Node* output = shown_output(draft.document(), library);
+    NodeId shows = output ? output->id : NodeId{};
+    if (!output && !draft.refused()) {
+        shows = draft.add(known_types::output, draft.node(shape).position + glm::vec2(column_px, 0));
+        if (shows) wire_unread(draft, shows);
+    }
+    if (shows) draft.wire(shape, shows, field_inputs(*library.type(draft.node(shows).type)).front());
+    return draft.finish(shows);
+}
 
 NodeId nearest_translate(const Document& document, const Library& library, NodeId id)
 {
@@ -94,9 +186,8 @@ Placed insert_translate(Document& document, const Library& library, NodeId id)
         if (!solid && rules.dimension(passed) != 2) solid = passed;
     if (!solid)
         return {{},
-                described(*document.root.find(id)) +
-                    " is flat where it is combined with others; move it there by a "
-                    "2D translate"};
+                titled(title_of(*document.root.find(id), library)) +
+                    " is flat where it is combined with others; move it there by “Translate 2D”"};
     Draft draft(document, library);
     Placed added = insert_after(draft.document(), library, known_types::translate, solid);
     draft.refuse(added.refusal);
@@ -108,7 +199,7 @@ Placed add_material(Document& document, const Library& library, std::string_view
 {
     if (Refusal refusal = not_a_field(document, library, field)) return {{}, refusal};
     const NodeType* type = library.type(type_name);
-    if (type && type->output != SocketKind::material) return {{}, "`" + type->name + "` is not a material"};
+    if (type && type->output != SocketKind::material) return {{}, titled(type->title) + " is not a material"};
     Draft draft(document, library);
     NodeId material = draft.add(type_name, document.root.find(field)->position + glm::vec2(0, column_px));
     paint(draft, material, field);

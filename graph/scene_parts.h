@@ -16,6 +16,13 @@ Placed add_material(Document& document, const Library& library, std::string_view
 // The same with a material that exists.
 Refusal assign_material(Document& document, const Library& library, NodeId material, NodeId field);
 
+// What the output shows; when it is nothing, why.
+enum class Shown { something, no_shape, no_output, nothing_wired, nothing_made };
+Shown shown_by_output(const Document& document, const Library& library);
+// The output, made when there is none, shows from now on the shape that is made of most and that nothing reads; a flat one
+// is extruded. A new output also takes a camera and a sky that nothing reads. Returns the output.
+Placed show_shape(Document& document, const Library& library);
+
 struct SceneView {
     glm::vec3 position, target;    // world, m
     float field_of_view_deg = 45;  // vertical; of a perspective view

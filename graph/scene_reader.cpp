@@ -316,7 +316,7 @@ private:
 
     void read_wires()
     {
-        WireRules rules(document_.root, library_);
+        WireRules rules(document_.root, library_, Wording::file);
         std::size_t wires = 0;
         for (std::size_t i = 0; i < entries_.size(); ++i) {
             Node& node = document_.root.nodes[i];
@@ -336,7 +336,7 @@ private:
             bool outside = !document_.root.find(source);
             if (outside && !incoming_)
                 json_.fail(*input, "must be the id of a node; there is no node " + std::to_string(source.number));
-            Refusal refusal = outside ? kind_error({}, {&node, library_.type(node.type)}, input->key)
+            Refusal refusal = outside ? kind_error({}, {&node, library_.type(node.type)}, input->key, Wording::file)
                                       : rules.add(source, node.id, input->key);
             if (refusal) json_.fail(*input, *refusal);
             if (outside) incoming_->push_back({source, node.id, std::string(input->key)});

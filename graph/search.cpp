@@ -59,7 +59,7 @@ std::vector<std::string> words_of(std::string_view text)
 
 // Match first, then where: name, title, synonyms (the closest are written first), category.
 using Score = std::pair<Match, int>;
-constexpr int last_place = 1'000;
+constexpr int last_place = 1'000, of_category = last_place + 1;
 
 Score score(const NodeType& type, const std::string& query)
 {
@@ -74,7 +74,7 @@ Score score(const NodeType& type, const std::string& query)
     consider(type.title, 1);
     int where = 2;
     for (const std::string& synonym : type.synonyms) consider(synonym, where++);
-    consider(type.category, last_place);
+    consider(type.category, of_category);
     // Words in any order: "union smooth".
     std::vector<std::string> words = words_of(query);
     auto begins = [&](const std::string& word) { return starts_a_word(all, word); };
@@ -90,17 +90,20 @@ std::vector<const NodeType*> search_types(std::span<const NodeType* const> types
 {
     std::string query = plain(query_text);
     if (query.empty()) return {types.begin(), types.end()};
-    std::vector<std::tuple<Score, std::ptrdiff_t, const NodeType*>> found;
+    std::vector<std::tuple<Score, std::ptrdiff_t, std::size_t, const NodeType*>> found;
     for (const NodeType* type : types) {
         Score fit = score(*type, query);
         auto age = std::find(recent.begin(), recent.end(), type->name) - recent.begin();
-        if (fit.first != Match::none) found.emplace_back(fit, age, type);
+        // Of equals, the shorter title says less that was not asked for; a category stays in its order.
+        std::size_t length = fit.second == of_category ? 0 : type->title.size();
+        if (fit.first != Match::none) found.emplace_back(fit, age, length, type);
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-        return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+        return std::tie(std::get<0>(a), std::get<1>(a), std::get<2>(a)) <
+               std::tie(std::get<0>(b), std::get<1>(b), std::get<2>(b));
     });
     std::vector<const NodeType*> result;
-    for (const auto& entry : found) result.push_back(std::get<2>(entry));
+    for (const auto& entry : found) result.push_back(std::get<3>(entry));
     return result;
 }
 

@@ -28,7 +28,7 @@ std::optional<SettingError> setting_error(const MarchSettings& settings)
     if (settings.step_limit < 1 || settings.step_limit > step_limit_maximum)
         return SettingError{"step_limit", "must lie between 1 and " + std::to_string(step_limit_maximum)};
     if (auto error = number_error(settings, march_numbers)) return error;
-    if (settings.near >= settings.far) return SettingError{"near", "must be smaller than `far`"};
+    if (settings.near >= settings.far) return SettingError{"near", "must be smaller than far"};
     return std::nullopt;
 }
 

@@ -36,8 +36,8 @@ bool kinds_fit(SocketKind from, SocketKind to)
 
 int dimension_of(SocketKind kind) { return kind == SocketKind::field2d ? 2 : kind == SocketKind::field3d ? 3 : 0; }
 
-WireRules::WireRules(const Graph& graph, const Library& library)
-    : graph_(graph), parent_(graph.nodes.size()), dimension_(graph.nodes.size(), 0)
+WireRules::WireRules(const Graph& graph, const Library& library, Wording wording)
+    : graph_(graph), wording_(wording), parent_(graph.nodes.size()), dimension_(graph.nodes.size(), 0)
 {
     std::iota(parent_.begin(), parent_.end(), 0);
     for (const Node& node : graph.nodes) {
@@ -46,24 +46,26 @@ WireRules::WireRules(const Graph& graph, const Library& library)
     }
 }
 
-Refusal kind_error(const WireEnd& from, const WireEnd& to, std::string_view socket_name)
+Refusal kind_error(const WireEnd& from, const WireEnd& to, std::string_view socket_name, Wording wording)
 {
     if (!to.type) return std::nullopt;
     const Socket* socket = to.type->input(socket_name);
+    std::string target = named(wording, *to.node, to.type), input = named(wording, to.type, socket_name);
     if (!socket)
-        return described(*to.node) + " has no socket " + in_quotes(socket_name) + "; its sockets are " +
-               socket_names(*to.type);
+        return target + (wording == Wording::file ? " has no socket " : " has no input ") + input +
+               (wording == Wording::file ? "; its sockets are " + socket_names(*to.type) : "");
     if (!from.type || kinds_fit(from.type->output, socket->kind)) return std::nullopt;
-    return described(*from.node) + " gives a " + std::string(socket_kind_name(from.type->output)) +
-           " and cannot feed `" + socket->name + "` of " + described(*to.node) + ", which takes a " +
-           std::string(socket_kind_name(socket->kind));
+    return named(wording, *from.node, from.type) + " gives " + kind_named(wording, from.type->output) +
+           " and cannot feed " + input + " of " + target + ", which takes " + kind_named(wording, socket->kind);
 }
 
-Refusal dimension_error(const Node& from, int given, const Node& to, int taken, std::string_view socket)
+Refusal dimension_error(const WireEnd& from, int given, const WireEnd& to, int taken, std::string_view socket,
+                        Wording wording)
 {
     if (!given || !taken || given == taken) return std::nullopt;
-    return described(from) + " gives a " + std::to_string(given) + "D field and cannot feed `" + std::string(socket) +
-           "` of " + described(to) + ", which takes a " + std::to_string(taken) + "D field; put " +
+    return named(wording, *from.node, from.type) + " gives " + kind_named(wording, SocketKind::field_any, given) +
+           " and cannot feed " + named(wording, to.type, socket) + " of " + named(wording, *to.node, to.type) +
+           ", which takes " + kind_named(wording, SocketKind::field_any, taken) + "; put " +
            (given == 2 ? "an extrude or a revolve" : "a slice") + " between";
 }
 
@@ -72,9 +74,8 @@ Refusal WireRules::add(NodeId source, NodeId target, std::string_view socket)
     int from = index_of(source), to = index_of(target);
     if (from < 0) return "there is no node " + std::to_string(source.number);
     if (to < 0) return "there is no node " + std::to_string(target.number);
-    WireEnd source_end{&graph_.nodes[static_cast<std::size_t>(from)], types_[static_cast<std::size_t>(from)]};
-    WireEnd target_end{&graph_.nodes[static_cast<std::size_t>(to)], types_[static_cast<std::size_t>(to)]};
-    if (Refusal refusal = kind_error(source_end, target_end, socket)) return refusal;
+    WireEnd source_end = end(from), target_end = end(to);
+    if (Refusal refusal = kind_error(source_end, target_end, socket, wording_)) return refusal;
     if (!source_end.type || !target_end.type || !source_end.type->is_field()) return std::nullopt;
     return join(from, to, *target_end.type->input(socket));
 }
@@ -86,8 +87,7 @@ Refusal WireRules::join(int source, int target, const Socket& socket)
     int from = group(source), to = group(target);
     int given = dimension_[static_cast<std::size_t>(from)];
     int taken = fixed_target ? dimension_of(socket.kind) : dimension_[static_cast<std::size_t>(to)];
-    if (Refusal refusal = dimension_error(graph_.nodes[static_cast<std::size_t>(source)], given,
-                                          graph_.nodes[static_cast<std::size_t>(target)], taken, socket.name))
+    if (Refusal refusal = dimension_error(end(source), given, end(target), taken, socket.name, wording_))
         return refusal;
     if (!fixed_source && !fixed_target) parent_[static_cast<std::size_t>(to)] = from;
     if (!fixed_source) dimension_[static_cast<std::size_t>(from)] = given ? given : taken;
@@ -109,6 +109,12 @@ int WireRules::dimension(NodeId node)
 {
     int index = index_of(node);
     return index < 0 ? 0 : dimension_[static_cast<std::size_t>(group(index))];
+}
+
+WireEnd WireRules::end(int index) const
+{
+    auto at = static_cast<std::size_t>(index);
+    return {&graph_.nodes[at], types_[at]};
 }
 
 int WireRules::index_of(NodeId id) const

@@ -2,14 +2,20 @@
 #pragma once
 
 #include "graph/edits.h"
+#include "graph/words.h"
 
 namespace fieldwright::graph {
+
+struct WireEnd {
+    const Node* node;
+    const NodeType* type;  // null when unknown: then nothing is checked
+};
 
 // The rules over one graph, growing wire by wire. Fields of unknown type and their wires are not checked.
 class WireRules {
 public:
     // Knows the nodes of `graph` and none of its wires.
-    WireRules(const Graph& graph, const Library& library);
+    WireRules(const Graph& graph, const Library& library, Wording wording = Wording::titles);
 
     // Adds a wire, or says why it is not allowed and adds nothing. Cycles are find_cycle's.
     Refusal add(NodeId source, NodeId target, std::string_view socket);
@@ -20,23 +26,22 @@ public:
 private:
     int index_of(NodeId id) const;  // -1 when absent
     int group(int index);
+    WireEnd end(int index) const;
     Refusal join(int source, int target, const Socket& socket);
 
     const Graph& graph_;
+    Wording wording_;
     std::vector<const NodeType*> types_;  // by node index; null when unknown
     // Combiners wired to each other share a dimension: disjoint sets by node index.
     std::vector<int> parent_;
     std::vector<int> dimension_;  // of a set, at its root
 };
 
-struct WireEnd {
-    const Node* node;
-    const NodeType* type;  // null when unknown: then nothing is checked
-};
 // Why the socket does not take what `from` gives, dimensions apart; or nothing.
-Refusal kind_error(const WireEnd& from, const WireEnd& to, std::string_view socket);
+Refusal kind_error(const WireEnd& from, const WireEnd& to, std::string_view socket, Wording wording = Wording::titles);
 // Why a field of dimension `given` cannot feed an input of dimension `taken`; nothing when either is undecided (0).
-Refusal dimension_error(const Node& from, int given, const Node& to, int taken, std::string_view socket);
+Refusal dimension_error(const WireEnd& from, int given, const WireEnd& to, int taken, std::string_view socket,
+                        Wording wording = Wording::titles);
 bool carries_field(SocketKind kind);
 bool kinds_fit(SocketKind from, SocketKind to);  // dimensions apart
 int dimension_of(SocketKind kind);               // 2, 3, or 0 for a field of any dimension

@@ -46,6 +46,7 @@ wait_for 30 xdotool search --name "scene.scene.json - Fieldwright"
 
 # The mouse was there before the window, and never moved.
 wait_for 20 is_there canvas
+sleep 1  # a busy screen gives the window its keys a moment after showing it
 xdotool key shift+a
 wait_for 20 is_there add_menu/search
 xdotool key Escape
@@ -79,6 +80,12 @@ xdotool key ctrl+s
 wait_for 20 saved '"type": "torus"'
 saved '"minor": 0.25' && fail "the drag did not change the radius"
 cp scene.scene.json first
+
+# What is copied is text for everyone.
+point_at canvas
+xdotool key ctrl+c
+wait_for 20 bash -c 'xclip -o -selection clipboard | tee copied | grep -q fieldwright-nodes'
+grep -q '"type": "torus"' copied || fail "the clipboard does not hold the torus"
 xdotool key --delay 5 ctrl+z ctrl+z
 xdotool key ctrl+s
 wait_for 20 bash -c '! grep -q "\"type\": \"torus\"" scene.scene.json'
@@ -86,6 +93,19 @@ xdotool key --delay 5 ctrl+y ctrl+y
 xdotool key ctrl+s
 wait_for 20 saved '"type": "torus"'
 cmp first scene.scene.json || fail "undo and redo in a burst did not lead back"
+
+# Text that another program holds: nodes are added, anything else is not.
+point_at canvas
+hold_clipboard() { xclip -i -selection clipboard "$@" >/dev/null 2>&1; }
+echo "no nodes" | hold_clipboard
+xdotool key ctrl+v
+hold_clipboard copied
+xdotool key ctrl+v
+wait_for 20 is_there canvas/node/43
+is_there canvas/node/44 && fail "text without nodes was pasted"
+xdotool key ctrl+c  # the clipboard is ours again, which ends xclip
+xdotool key ctrl+s
+wait_for 20 saved '"43"'
 
 # Nothing unsaved: closing needs no question.
 xdotool key ctrl+q

@@ -3,6 +3,7 @@
 
 #include "ui/add_menu.h"
 #include "ui/canvas_hands.h"
+#include "ui/lamp_place.h"
 #include "ui/node_words.h"
 
 namespace fieldwright::ui {
@@ -14,14 +15,6 @@ namespace {
 std::string counted(const char* verb, std::size_t count, const std::string& one)
 {
     return verb + (" " + (count == 1 ? one : std::to_string(count) + " " + one + "s"));
-}
-
-// "Torus" as "torus"; "2D" stays.
-std::string inside_a_sentence(std::string title)
-{
-    if (title.size() > 1 && title[0] >= 'A' && title[0] <= 'Z' && title[1] >= 'a' && title[1] <= 'z')
-        title[0] = static_cast<char>(title[0] + ('a' - 'A'));
-    return title;
 }
 
 }  // namespace
@@ -97,7 +90,8 @@ NodeId add_at(FrameContext& frame, const graph::NodeType& type, const AddPlace& 
             placed.refusal =
                 graph::insert_on_wire(trial, library, placed.node, place.on_wire->node, place.on_wire->socket);
     } else placed = graph::add_from_menu(trial, library, type.name, place.position, frame.view.selection.nodes());
-    if (!frame.draft.done("Add " + inside_a_sentence(type.title), placed.refusal)) return {};
+    if (!frame.draft.done("Add " + graph::inside_a_sentence(type.title), placed.refusal)) return {};
+    place_lamp(frame, trial, placed.node);
     frame.draft.document = std::move(trial);
     frame.view.selection.only(placed.node);
     return placed.node;

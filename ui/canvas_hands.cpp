@@ -174,6 +174,7 @@ void CanvasHands::go_on(FrameContext& frame, const CanvasSight& sight, Wiring& w
 {
     wiring.to = sight.mouse();
     std::optional<InputName> target;
+    NodeId unfit;
     bool fits = false;
     if (sight.hover.is_pin() && !is_own_end(sight.hover, wiring.targets.end())) {
         target = InputName{sight.hover.node, sight.hover.socket};
@@ -181,10 +182,14 @@ void CanvasHands::go_on(FrameContext& frame, const CanvasSight& sight, Wiring& w
     } else if (const CanvasNode* node = sight.hover.is_node() ? sight.layout.find(sight.hover.node) : nullptr) {
         target = nearest_fit(*node, wiring.targets, sight.mouse());
         fits = target.has_value();
+        if (!fits && node->node->id != wiring.targets.end().node) unfit = node->node->id;
     }
-    if (target == wiring.target) return;
+    if (target == wiring.target && unfit == wiring.unfit) return;
     wiring.target = target;
-    wiring.reason = target && !fits ? wiring.targets.reason(frame.draft.library, target->node, target->socket) : "";
+    wiring.unfit = unfit;
+    wiring.reason.clear();
+    if (unfit) wiring.reason = wiring.targets.reason(frame.draft.library, unfit);
+    if (target && !fits) wiring.reason = wiring.targets.reason(frame.draft.library, target->node, target->socket);
 }
 
 void CanvasHands::go_on(FrameContext&, const CanvasSight& sight, Cutting& cut)
@@ -224,8 +229,12 @@ void CanvasHands::end_move(FrameContext& frame, const MovingNodes& move)
 
 void CanvasHands::end_wiring(FrameContext& frame, const CanvasSight& sight, CanvasWish& wish, const Wiring& wiring)
 {
+    if (wiring.detached && wiring.detached == wiring.target) return;  // put back
+    if (!wiring.reason.empty()) {
+        frame.draft.refusal = wiring.reason;
+        return;
+    }
     if (wiring.target) {
-        if (wiring.detached && *wiring.detached == *wiring.target) return;  // put back
         graph::Document trial = frame.draft.document;
         graph::Refusal refused;
         if (wiring.detached) refused = graph::disconnect(trial, wiring.detached->node, wiring.detached->socket);

@@ -46,6 +46,7 @@ struct Wiring {
     std::optional<InputName> detached;  // the wire that was taken off its input
     glm::vec2 to;
     std::optional<InputName> target;  // under the hand; an output has no socket
+    graph::NodeId unfit;              // the node under the hand, when no pin of it will do
     std::string reason;               // why not
 };
 struct Cutting {

@@ -136,7 +136,7 @@ void Canvas::tooltip(const FrameContext& frame, const CanvasLayout& layout, cons
     hover_s_ = hover == last_hover_ ? hover_s_ + ImGui::GetIO().DeltaTime : 0;
     last_hover_ = hover;
     if (const Wiring* wiring = hands_.doing<Wiring>(); wiring && !wiring->reason.empty())
-        show_tooltip(frame.theme, wiring->reason, colour::warning);
+        show_tooltip(frame.theme, graph::as_sentence(wiring->reason), colour::warning);
     const CanvasNode* node = layout.find(hover.node);
     if (!hands_.resting() || !node) return;
     auto problems = problems_by_node(frame.readings.problems);
@@ -145,7 +145,8 @@ void Canvas::tooltip(const FrameContext& frame, const CanvasLayout& layout, cons
     glm::vec2 mouse = space_.canvas({ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y});
     if (has_problem && hover.is_node() && (!full || problem_badge(node->box).contains(mouse))) {
         bool error = problem->second->severity == graph::Problem::Severity::error;
-        show_tooltip(frame.theme, problem->second->sentence, error ? colour::error : colour::warning);
+        show_tooltip(frame.theme, graph::as_sentence(problem->second->sentence),
+                     error ? colour::error : colour::warning);
     } else if (hover_s_ < tooltip_delay_s) return;
     else if (hover.kind == Hover::Kind::input) show_tooltip(frame.theme, socket_hint(node->type, hover.socket));
     else if (hover.kind == Hover::Kind::output) show_tooltip(frame.theme, output_hint(node->type));

@@ -40,11 +40,11 @@ struct ContextMenu {
 };
 
 // An entry of a context menu, with the shortcut of the command of that name.
-bool menu_item(FrameContext& frame, const char* name, const char* title, const char* command, bool enabled = true)
+bool menu_item(FrameContext& frame, const char* name, const char* title, const char* command)
 {
     const Command* found = find_command(command);
     std::string shortcut = found && !found->shortcuts.empty() ? shortcut_text(found->shortcuts.front()) : "";
-    bool chosen = ImGui::MenuItem(title, shortcut.c_str(), false, enabled);
+    bool chosen = ImGui::MenuItem(title, shortcut.c_str());
     frame.rects.mark(std::string("canvas/menu/") + name);
     return chosen;
 }
@@ -83,6 +83,11 @@ void Canvas::rename_field(FrameContext& frame, const CanvasLayout& layout)
         rename_ = {};
         return;
     }
+    if (!node->node->unknown_source.empty()) {
+        frame.draft.done("Rename", graph::rename_node(frame.draft.document, rename_.node, ""));  // says why not
+        rename_ = {};
+        return;
+    }
     if (rename_.opening) rename_.text = node->node->name;
     Box box = space_.screen(node->box);
     float size = std::max(13 * space_.scale, frame.theme.px(12)),
@@ -104,8 +109,9 @@ void Canvas::rename_field(FrameContext& frame, const CanvasLayout& layout)
     rename_.opening = false;
     if (!done) return;
     if (rename_.text.size() > name_limit) rename_.text.resize(name_limit);
+    std::string step = "Rename " + graph::title_inside(*node->node, frame.draft.library);
     if (!given_up && rename_.text != node->node->name)
-        frame.draft.done("Rename node", graph::rename_node(frame.draft.document, rename_.node, rename_.text));
+        frame.draft.done(step, graph::rename_node(frame.draft.document, rename_.node, rename_.text));
     rename_ = {};
 }
 
@@ -147,9 +153,7 @@ void Canvas::node_menu(FrameContext& frame)
     if (!menu.open) return;
     graph::Document& document = frame.draft.document;
     std::set<NodeId> chosen = frame.view.selection.as_set();
-    const graph::Node* node = document.root.find(menu_for_.node);
-    bool known = node && frame.draft.library.type(node->type);
-    if (menu_item(frame, "rename", "Rename", "edit.rename", known)) begin_rename(menu_for_.node);
+    if (menu_item(frame, "rename", "Rename", "edit.rename")) begin_rename(menu_for_.node);
     bool all_muted = std::all_of(chosen.begin(), chosen.end(), [&](NodeId id) {
         const graph::Node* one = document.root.find(id);
         return one && one->muted;

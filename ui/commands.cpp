@@ -114,12 +114,4 @@ const Command* pressed_command(std::span<const Command> list, Scope over)
     return nullptr;
 }
 
-std::string in_words(std::string_view name)
-{
-    std::string words(name);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words;
-}
-
 }  // namespace fieldwright::ui

@@ -70,7 +70,4 @@ void append_view_commands(std::vector<Command>& list, const Readings& readings);
 void append_render_commands(std::vector<Command>& list);
 void append_help_commands(std::vector<Command>& list);
 
-// "smooth_union" -> "Smooth union"
-std::string in_words(std::string_view name);
-
 }  // namespace fieldwright::ui

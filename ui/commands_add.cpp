@@ -3,24 +3,9 @@
 #include "ui/commands.h"
 #include "ui/keys.h"
 
+#include "graph/words.h"
+
 namespace fieldwright::ui {
-namespace {
-
-std::string category_title(std::string_view category)
-{
-    return category == "shape2d" ? "2D shape" : in_words(category);
-}
-
-// "Torus" -> "torus", but "2D ring" and "XOR" stay.
-std::string inside_a_sentence(std::string title)
-{
-    if (title.size() > 1 && title[1] >= 'a' && title[1] <= 'z' && title[0] >= 'A' && title[0] <= 'Z')
-        title[0] = static_cast<char>(title[0] + ('a' - 'A'));
-    return title;
-}
-
-}  // namespace
-
 void append_add_commands(std::vector<Command>& list, const graph::Library& library)
 {
     list.push_back({.id = "add.menu",
@@ -41,8 +26,8 @@ void append_add_commands(std::vector<Command>& list, const graph::Library& libra
     for (const graph::NodeType* type : library.types()) {
         list.push_back(
             {.id = "add." + type->name,
-             .title = "Add " + inside_a_sentence(type->title),
-             .menu = "Add/" + category_title(type->category),
+             .title = "Add " + graph::inside_a_sentence(type->title),
+             .menu = "Add/" + graph::category_title(type->category),
              .help = type->help,
              .separator = category.empty(),
              .run = [name = type->name](CommandContext& context) { context.canvas.add(context.frame, name); }});

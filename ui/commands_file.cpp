@@ -2,6 +2,8 @@
 #include "ui/commands.h"
 #include "ui/keys.h"
 
+#include "graph/words.h"
+
 #include <filesystem>
 
 namespace fieldwright::ui {
@@ -39,7 +41,7 @@ void append_export(std::vector<Command>& list, const Readings& readings)
 {
     bool first = true;
     for (const std::string& target : readings.export_targets) {
-        std::string name = target == "glsl" ? "GLSL" : in_words(target);
+        std::string name = target == "glsl" ? "GLSL" : graph::in_words(target);
         list.push_back(
             {.id = "file.export." + target,
              .title = "Export " + name + " shader…",

@@ -79,6 +79,7 @@ Editor::Output Editor::draw(graph::Document& document, const graph::Library& lib
     begin_host_window(theme);
     run_commands(context);
     if (auto node = std::exchange(view.frame_request, {})) canvas_.show(node);
+    if (std::exchange(view.add_request, false)) run_command("add.menu", context);
     draw_panes(frame);
     draw_dialogs(context);
     close_by_escape(popups, was_typing);

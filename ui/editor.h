@@ -43,6 +43,7 @@ public:
     WidgetRects rects;
 
     glm::ivec2 viewport_size_px() const { return viewport_size_px_; }  // of the last frame
+    const std::string& status_text() const { return status_line_.text(); }
     Canvas& canvas() { return canvas_; }
     Viewport& viewport() { return viewport_; }
 

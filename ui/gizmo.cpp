@@ -4,6 +4,7 @@
 #include "graph/known_types.h"
 #include "graph/neighbours.h"
 #include "graph/scene_parts.h"
+#include "graph/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +52,7 @@ std::optional<glm::vec3> offset_of(const graph::Document& document, graph::NodeI
 std::string step_name(const Draft& draft, graph::NodeId id)
 {
     const graph::Node* node = draft.document.root.find(id);
-    if (node && !node->name.empty()) return "Move " + node->name;
-    const graph::NodeType* type = node ? draft.library.type(node->type) : nullptr;
-    return "Move " + (type ? type->name : std::string("node"));
+    return "Move " + (node ? graph::title_inside(*node, draft.library) : std::string("node"));
 }
 
 ImVec2 im(glm::vec2 v) { return {v.x, v.y}; }

@@ -25,7 +25,7 @@ void step_row(FrameContext& frame, std::size_t index)
     ImVec2 dot(low.x + theme.px(14), low.y + 0.5f * theme.row());
     if (present) draw.AddCircleFilled(dot, theme.px(4), colour::accent);
     else draw.AddCircle(dot, theme.px(3), undone ? colour::line : colour::quiet_text);
-    std::string shown = fitted(sentence_case(readings.step_names[index]), width - theme.px(36));
+    std::string shown = fitted(as_sentence(readings.step_names[index]), width - theme.px(36));
     draw.AddText({low.x + theme.px(28), low.y + std::floor(0.5f * (theme.row() - ImGui::GetFontSize()))},
                  undone ? colour::quiet_text : colour::text, shown.c_str());
     if (pressed && !present) frame.requests.push_back(JumpTo{index});

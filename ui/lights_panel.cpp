@@ -33,17 +33,15 @@ const graph::NodeType* first_offer(const graph::Library& library)
 
 void offer(FrameContext& frame, const graph::NodeType& type)
 {
-    std::string label = std::string(icon::sun) + "  Add a " + sentence_case(type.title);
-    std::transform(label.end() - static_cast<std::ptrdiff_t>(type.title.size()), label.end(),
-                   label.end() - static_cast<std::ptrdiff_t>(type.title.size()),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::string label = std::string(icon::sun) + "  Add a " + graph::inside_a_sentence(type.title);
     float width = ImGui::CalcTextSize(label.c_str()).x + frame.theme.px(28);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5f * (ImGui::GetContentRegionAvail().x - width));
     bool pressed = text_button(frame, "offer", label, width);
     frame.rects.mark("panel/lights/offer");
     if (!pressed) return;
     graph::Placed placed = graph::add_alone(frame.draft.document, frame.draft.library, type.name, {0, 0});
-    if (frame.draft.done("Add " + type.title, placed.refusal)) frame.view.selection.only(placed.node);
+    if (frame.draft.done("Add " + graph::inside_a_sentence(type.title), placed.refusal))
+        frame.view.selection.only(placed.node);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include "ui/keys.h"
 
+#include "graph/words.h"
+
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -24,7 +26,7 @@ std::string title_in(const std::string& path, const std::string& title)
 {
     std::size_t slash = path.find('/');
     if (slash == std::string::npos || !title.starts_with(path.substr(0, slash) + ' ')) return title;
-    return in_words(title.substr(slash + 1));
+    return graph::in_words(title.substr(slash + 1));
 }
 
 float text_width(const char* text) { return ImGui::CalcTextSize(text).x; }

@@ -5,6 +5,7 @@
 #include "graph/neighbours.h"
 #include "graph/scene_parts.h"
 #include "ui/colour_field.h"
+#include "ui/lamp_place.h"
 #include "ui/parameter_rows.h"
 #include "ui/widgets.h"
 
@@ -124,7 +125,7 @@ void NodeList::offer(FrameContext& frame)
     graph::NodeId active = frame.view.selection.active();
     if (kind_ != graph::SocketKind::material || !is_field(frame.draft.document, frame.draft.library, active)) return;
     std::string label = std::string(icon::add) + "  Add a material to " +
-                        title_of(*frame.draft.document.root.find(active), frame.draft.library);
+                        graph::title_inside(*frame.draft.document.root.find(active), frame.draft.library);
     float room = ImGui::GetContentRegionAvail().x;
     float width = std::min(ImGui::CalcTextSize(label.c_str()).x + frame.theme.px(28), room);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::floor(0.5f * (room - width)));
@@ -149,15 +150,16 @@ void NodeList::add(FrameContext& frame, const graph::NodeType& type)
     const graph::Library& library = frame.draft.library;
     glm::vec2 place = place_for(document, library, kind_);
     graph::NodeId active = frame.view.selection.active();
-    std::string step = "Add " + type.title;
+    std::string step = "Add " + graph::inside_a_sentence(type.title);
     graph::Placed placed;
     if (!output_socket.empty()) {
         placed = graph::add_to_output(document, library, type.name, place);
     } else if (type.output == graph::SocketKind::material && is_field(document, library, active)) {
-        step += " to " + title_of(*document.root.find(active), library);
+        step += " to " + graph::title_inside(*document.root.find(active), library);
         placed = graph::add_material(document, library, type.name, active);
     } else {
         placed = graph::add_alone(document, library, type.name, place);
+        place_lamp(frame, document, placed.node);
     }
     if (frame.draft.done(step, placed.refusal)) frame.view.selection.only(placed.node);
 }
@@ -253,7 +255,7 @@ void NodeList::use_icon(FrameContext& frame, graph::NodeId id)
         frame.draft.refusal = "The scene has no output yet; add one to use a " + noun_;
         return;
     }
-    std::string step = "Use " + title_of(*document.root.find(id), library);
+    std::string step = "Use " + graph::title_inside(*document.root.find(id), library);
     frame.draft.done(step, graph::connect(document, library, id, output->id, output_socket));
 }
 
@@ -263,7 +265,7 @@ void NodeList::duplicate(FrameContext& frame, graph::NodeId id)
     const graph::Library& library = frame.draft.library;
     const graph::Node& node = *document.root.find(id);
     glm::vec2 offset = place_for(document, library, kind_) - node.position;
-    std::string step = "Duplicate " + title_of(node, library);
+    std::string step = "Duplicate " + graph::title_inside(node, library);
     graph::Pasted pasted = graph::duplicate_nodes(document, library, {id}, offset, graph::Incoming::keep);
     if (frame.draft.done(step, pasted.refusal) && !pasted.nodes.empty())
         frame.view.selection.only(pasted.nodes.front());
@@ -271,7 +273,7 @@ void NodeList::duplicate(FrameContext& frame, graph::NodeId id)
 
 void NodeList::remove(FrameContext& frame, graph::NodeId id)
 {
-    std::string step = "Delete " + title_of(*frame.draft.document.root.find(id), frame.draft.library);
+    std::string step = "Delete " + graph::title_inside(*frame.draft.document.root.find(id), frame.draft.library);
     if (frame.draft.done(step, graph::remove_node(frame.draft.document, id))) frame.view.selection.remove(id);
 }
 

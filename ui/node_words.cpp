@@ -2,7 +2,6 @@
 #include "ui/node_words.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 
 namespace fieldwright::ui {
@@ -37,67 +36,26 @@ const char* quality_word(Quality quality)
     return quality == Quality::exact ? "exact" : quality == Quality::bound ? "a bound" : "approximate";
 }
 
-const char* kind_words(graph::SocketKind kind)
+std::string kind_hint(graph::SocketKind kind)
 {
-    using graph::SocketKind;
-    switch (kind) {
-        case SocketKind::field2d: return "flat shape";
-        case SocketKind::field3d: return "solid";
-        case SocketKind::field_any: return "shape, flat or solid";
-        case SocketKind::number: return "number";
-        case SocketKind::vec2: return "two numbers";
-        case SocketKind::vec3: return "three numbers";
-        case SocketKind::colour: return "colour";
-        case SocketKind::material: return "material";
-        case SocketKind::camera: return "camera";
-        case SocketKind::sky: return "sky";
-        case SocketKind::light: return "light";
-        case SocketKind::none: break;
-    }
-    return "of a type this program does not know";
+    return kind == graph::SocketKind::none ? "of a type this program does not know"
+                                           : std::string(graph::kind_words(kind));
 }
 
 }  // namespace
 
-std::string node_title(const graph::Node& node, const graph::NodeType* type)
-{
-    return !node.name.empty() ? node.name : type ? type->title : node.type;
-}
-
 std::string node_hint(const graph::Node& node, const graph::NodeType* type)
 {
-    if (!type) return node_title(node, type) + "\nThis program does not know the type `" + node.type + "`.";
+    if (!type)
+        return node_title(node, type) + "\nThis program does not know the type " + graph::titled(node.type) + ".";
     std::string title = node.name.empty() ? type->title : node.name + " (" + type->title + ")";
     return title + "\n" + type->help;
-}
-
-std::string spaced_words(std::string_view identifier)
-{
-    std::string text(identifier);
-    std::replace(text.begin(), text.end(), '_', ' ');
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
-}
-
-std::string category_title(std::string_view category)
-{
-    return category == "shape2d" ? "2D shape" : spaced_words(category);
-}
-
-std::string socket_label(const graph::NodeType* type, std::string_view socket)
-{
-    if (type && type->parameter(socket)) return spaced_words(socket);
-    if (socket == "d") return "Shape";
-    if (socket == "a") return "First shape";
-    if (socket == "b") return "Second shape";
-    if (socket == "c") return "Third shape";
-    return spaced_words(socket);
 }
 
 std::string socket_hint(const graph::NodeType* type, std::string_view socket)
 {
     const graph::Socket* found = type ? type->input(socket) : nullptr;
-    std::string hint = socket_label(type, socket) + ": " + kind_words(found ? found->kind : graph::SocketKind::none);
+    std::string hint = socket_label(type, socket) + ": " + kind_hint(found ? found->kind : graph::SocketKind::none);
     const graph::Parameter* parameter = type ? type->parameter(socket) : nullptr;
     if (parameter && !parameter->unit.empty())
         hint += parameter->unit == "deg" ? ", in degrees" : ", in " + parameter->unit;
@@ -107,7 +65,7 @@ std::string socket_hint(const graph::NodeType* type, std::string_view socket)
 
 std::string output_hint(const graph::NodeType* type)
 {
-    return std::string("Gives: ") + kind_words(type ? type->output : graph::SocketKind::none);
+    return std::string("Gives: ") + kind_hint(type ? type->output : graph::SocketKind::none);
 }
 
 std::string value_text(const graph::Parameter& parameter, const graph::Value& value)

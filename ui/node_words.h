@@ -1,17 +1,17 @@
-// What the canvas calls things: titles, sockets, values and field qualities in words that fit a node.
+// What the canvas says of things beside their names: hints, values and field qualities in words that fit a node.
 #pragma once
 
 #include "graph/document.h"
 #include "graph/library.h"
+#include "graph/words.h"
 
 namespace fieldwright::ui {
 
-// The user's name, else the type's title, else the type's word.
-std::string node_title(const graph::Node& node, const graph::NodeType* type);
-std::string node_hint(const graph::Node& node, const graph::NodeType* type);  // for a tooltip: title, type, help
-std::string spaced_words(std::string_view identifier);                        // "half_size" as "Half size"
-std::string category_title(std::string_view category);                        // "shape2d" as "2D shape"
-std::string socket_label(const graph::NodeType* type, std::string_view socket);
+using graph::category_title;
+using graph::node_title;
+using graph::socket_label;
+
+std::string node_hint(const graph::Node& node, const graph::NodeType* type);    // for a tooltip: title, type, help
 std::string socket_hint(const graph::NodeType* type, std::string_view socket);  // for a tooltip: kind, unit, help
 std::string output_hint(const graph::NodeType* type);
 // Short: "0.25 m", "30°", "1, 0, 0"; empty for what has no short form.

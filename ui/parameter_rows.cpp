@@ -29,11 +29,10 @@ struct Row {
     float width_px = 0;
 
     const graph::Library& library() const { return frame.draft.library; }
+    std::string words() const { return graph::inside_a_sentence(in_words(parameter.name)); }
     std::string step(std::string_view verb) const
     {
-        std::string words = parameter.name;
-        std::replace(words.begin(), words.end(), '_', ' ');
-        return std::string(verb) + " " + title_of(node, library()) + " " + words;
+        return std::string(verb) + " " + graph::title_inside(node, library()) + " " + words();
     }
     void write(graph::Value value, std::string_view verb = "Change") const
     {
@@ -55,7 +54,7 @@ T value_of(const Row& row)
     return held ? *held : T{};
 }
 
-std::string lower_title(const Row& row) { return title_of(row.node, row.library()) + "'s " + row.parameter.name; }
+std::string lower_title(const Row& row) { return title_of(row.node, row.library()) + "'s " + row.words(); }
 
 void number_row(const Row& row)
 {
@@ -133,7 +132,7 @@ std::optional<std::size_t> combo(const Row& row, const std::string& shown, std::
 // The inputs are called as they are on the node.
 std::string choice_words(const std::string& word)
 {
-    return word == "a" || word == "b" ? socket_label(nullptr, word) : sentence_case(word);
+    return word == "a" || word == "b" ? socket_label(nullptr, word) : in_words(word);
 }
 
 void choice_row(const Row& row)
@@ -163,7 +162,8 @@ void material_row(const Row& row)
     };
     auto chosen = combo(row, materials.empty() ? "No materials yet" : "Choose a material", materials.size(), label);
     if (!chosen) return;
-    std::string name = "Give " + title_of(row.node, row.library()) + " the material " + label(*chosen).second;
+    std::string name = "Give " + graph::title_inside(row.node, row.library()) + " the material " +
+                       graph::title_inside(*materials[*chosen], row.library());
     row.frame.draft.done(name, graph::connect(row.frame.draft.document, row.library(), materials[*chosen]->id,
                                               row.node.id, row.parameter.name));
 }
@@ -221,7 +221,8 @@ void source_field(FrameContext& frame, const std::string& path, const graph::Nod
     frame.rects.mark(path + "/unwire");
     if (pressed && source) frame.view.selection.only(source_id);
     if (!unwire) return;
-    std::string step = "Unwire " + title_of(node, library) + " " + std::string(socket);
+    std::string step = "Unwire " + graph::title_inside(node, library) + " " +
+                       graph::inside_a_sentence(socket_label(library.type(node.type), socket));
     frame.draft.done(step, graph::disconnect(document, node.id, socket));
 }
 
@@ -262,7 +263,7 @@ std::string label_of(const FrameContext& frame, const Parameter& parameter)
     int count = component_count(parameter.kind);
     bool without_unit = count > 1 && !vector_is_stacked(frame.theme, count, usual_field_width(frame));
     std::string unit = parameter.unit == "deg" ? "°" : parameter.unit;
-    return sentence_case(parameter.name) + (without_unit && !unit.empty() ? " (" + unit + ")" : "");
+    return in_words(parameter.name) + (without_unit && !unit.empty() ? " (" + unit + ")" : "");
 }
 
 void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id, const Parameter& parameter)
@@ -333,7 +334,7 @@ void input_rows(FrameContext& frame, std::string_view path, graph::NodeId id)
 void node_name_field(FrameContext& frame, std::string_view path, const graph::Node& node, float width_px)
 {
     const graph::NodeType* type = frame.draft.library.type(node.type);
-    std::string name = node.name, before = title_of(node, frame.draft.library);
+    std::string name = node.name, before = graph::title_inside(node, frame.draft.library);
     ImGui::PushID(static_cast<int>(node.id.number));
     bool changed = name_field(frame, "##name", name, type ? type->title : node.type, width_px);
     ImGui::PopID();
@@ -348,7 +349,7 @@ void mute_button(FrameContext& frame, std::string_view path, const graph::Node& 
     bool pressed = icon_button(frame, "mute", shown, tip, node.muted ? colour::warning : colour::quiet_text);
     frame.rects.mark(path);
     if (!pressed) return;
-    std::string step = (node.muted ? "Unmute " : "Mute ") + title_of(node, frame.draft.library);
+    std::string step = (node.muted ? "Unmute " : "Mute ") + graph::title_inside(node, frame.draft.library);
     frame.draft.done(step, graph::set_muted(frame.draft.document, node.id, !node.muted));
 }
 

@@ -70,7 +70,8 @@ struct Readings {
     std::vector<Recovered> recovered;
     bool dialog_open = false;  // a native file dialog is up; the window waits for nothing
 
-    std::string status;  // last outcome worth saying: "Saved first.scene.json"
+    std::string status;    // last outcome worth saying: "Saved first.scene.json"
+    int status_count = 0;  // of outcomes said: the same may be said again
     bool status_is_error = false;
     double time_s = 0;  // of the scene, played or set
     double frames_per_second = 0;

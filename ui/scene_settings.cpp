@@ -45,13 +45,12 @@ NumberStyle style_of(std::string_view name, double minimum, double maximum)
 bool setting_row(FrameContext& frame, std::string_view path, std::string_view name, double& value, double initial,
                  NumberStyle style, std::string& step)
 {
-    std::string title = sentence_case(name), mark = std::string(path) + "/" + std::string(name);
+    std::string title = in_words(name), mark = std::string(path) + "/" + std::string(name);
     ImGui::PushID(mark.c_str());
     style.width_px = begin_row(frame, title, style.tip);
     bool changed = number_field(frame, "##number", title, value, style);
     frame.rects.mark(mark);
-    std::string words_of_step(name);
-    std::replace(words_of_step.begin(), words_of_step.end(), '_', ' ');
+    std::string words_of_step = graph::inside_a_sentence(title);
     if (changed) step = "Change " + words_of_step;
     if (value != initial) {
         to_row_end(frame);

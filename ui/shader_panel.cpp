@@ -40,7 +40,7 @@ std::string target_title(std::string_view target)
 {
     if (target == "glsl") return "GLSL";
     if (target == "shadertoy") return "Shadertoy";
-    return sentence_case(target);
+    return in_words(target);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // What the status line says, and drawing it.
 #include "ui/status_line.h"
 
+#include "graph/words.h"
+
 #include <imgui_internal.h>
 
 #include <cmath>
@@ -8,7 +10,8 @@
 namespace fieldwright::ui {
 namespace {
 
-constexpr double shown_s = 4;  // refusals and news
+constexpr double shown_s = 4;    // refusals and news
+constexpr double flash_s = 0.6;  // of news, so that the same again is seen
 
 std::string scene_text(const FrameContext& frame)
 {
@@ -23,15 +26,16 @@ std::string scene_text(const FrameContext& frame)
 
 }  // namespace
 
-void StatusLine::refuse(std::string sentence, double now_s)
+void StatusLine::refuse(std::string_view sentence, double now_s)
 {
-    refusal_ = std::move(sentence);
+    refusal_ = graph::as_sentence(sentence);
     refused_at_s_ = now_s;
 }
 
 void StatusLine::note_status(const Readings& readings, double now_s)
 {
-    if (readings.status == status_) return;
+    if (readings.status_count == status_count_) return;
+    status_count_ = readings.status_count;
     status_ = readings.status;
     status_at_s_ = now_s;
     refusal_.clear();
@@ -48,8 +52,9 @@ StatusLine::Message StatusLine::message(const FrameContext& frame, double now_s)
     refusal_.clear();
     if (!status_.empty() && frame.readings.status_is_error) return {status_, colour::error};
     if (!status_.empty() && now_s < status_at_s_ + shown_s) {
-        changes_at_s_ = status_at_s_ + shown_s;
-        return {status_, colour::text};
+        bool fresh = now_s < status_at_s_ + flash_s;
+        changes_at_s_ = status_at_s_ + (fresh ? flash_s : shown_s);
+        return {status_, fresh ? colour::hot : colour::text};
     }
     return {frame.view.hint, colour::quiet_text};
 }
@@ -68,6 +73,7 @@ void StatusLine::draw(FrameContext& frame, double now_s)
     list.AddText({right_x, y}, colour::quiet_text, right.c_str());
 
     Message left = message(frame, now_s);
+    text_ = left.text;
     float left_x = window.x + inset, limit = right_x - theme.px(24);
     ImGui::PushStyleColor(ImGuiCol_Text, left.colour);
     ImGui::RenderTextEllipsis(&list, {left_x, y}, {limit, top + theme.status_line()}, limit, limit, left.text.c_str(),

@@ -38,7 +38,7 @@ void draw_stereo_panel(FrameContext& frame)
 {
     ViewState& view = frame.view;
     std::vector<std::pair<std::string, std::string>> modes;
-    for (const std::string& name : frame.readings.stereo_names) modes.emplace_back(name, sentence_case(name));
+    for (const std::string& name : frame.readings.stereo_names) modes.emplace_back(name, in_words(name));
     begin_row(frame, "Mode", "How the pictures of both eyes become one.");
     segments(frame, "panel/stereo", modes, view.stereo);
     to_field_column(frame);

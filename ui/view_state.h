@@ -45,6 +45,7 @@ struct ViewState {
 
     Selection selection;
     graph::NodeId frame_request;  // the canvas is to bring this node into view; cleared when done
+    bool add_request = false;     // the add menu is to open; cleared when done
     std::string hint;             // about what is under the mouse, for the status line; its part writes it every frame
     bool reduced_motion = false;
 };

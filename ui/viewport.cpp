@@ -2,6 +2,7 @@
 #include "ui/viewport.h"
 
 #include "ui/scene_camera.h"
+#include "ui/viewport_empty.h"
 #include "ui/viewport_overlay.h"
 
 #include <imgui_internal.h>
@@ -40,6 +41,7 @@ void Viewport::draw(FrameContext& frame)
     draw_statistics(frame, list, pane_);
     draw_steps_legend(frame, list, pane_);
     draw_toolbar(frame, *this, pane_);
+    if (frame.readings.picture.texture) draw_nothing_to_see(frame, pane_);
     draw_projection(frame);
 }
 

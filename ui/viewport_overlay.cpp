@@ -150,17 +150,19 @@ struct Ink {
 std::string statistics_line(const FrameContext& frame, const Ink& ink, float room)
 {
     const PictureReading& picture = frame.readings.picture;
-    std::string compiling = picture.compiling ? "Compiling shader…" : "";
-    if (!frame.view.statistics || !picture.texture) return compiling;
-    std::string rest = compiling.empty() ? "" : " · " + compiling;
+    std::string note = picture.compiling ? "Compiling shader…" : "";
+    if (note.empty() && frame.view.stereo != "off" && !has_stereo(frame.view.view)) note = "Stereo is off in this view";
+    if (!frame.view.statistics || !picture.texture) return note;
+    std::string rest = note.empty() ? "" : " · " + note;
     for (const std::string& line : {statistics_text(picture) + rest, short_statistics_text(picture) + rest})
         if (ink.size(line.c_str()).x <= room) return line;
-    return compiling;
+    return note;
 }
 
 }  // namespace
 
 std::string view_words(std::string_view view) { return words_of(views, view); }
+bool has_stereo(std::string_view view) { return view == "beauty"; }
 std::string stereo_words(std::string_view stereo) { return words_of(stereos, stereo); }
 
 bool depends_on_time(const Readings& readings)

@@ -21,8 +21,9 @@ void draw_waiting(const FrameContext& frame, ImDrawList& list, const WidgetRect&
 // "1280 × 720 · cpu · 24 ms · 31 steps mean, 256 max · 0.2 % out of steps"
 std::string statistics_text(const PictureReading& picture);
 std::string short_statistics_text(const PictureReading& picture);  // up to the time, for narrow panes
-std::string view_words(std::string_view view);                     // of `ViewState::view`: "Steps heatmap"
-std::string stereo_words(std::string_view stereo);                 // of `ViewState::stereo`: "Dubois anaglyph"
+bool has_stereo(std::string_view view);             // the colours of the others are data, which glasses would falsify
+std::string view_words(std::string_view view);      // of `ViewState::view`: "Steps heatmap"
+std::string stereo_words(std::string_view stereo);  // of `ViewState::stereo`: "Dubois anaglyph"
 // Whether what is drawn changes while time passes.
 bool depends_on_time(const Readings& readings);
 ImU32 heatmap(float share);  // as in shaders/render/views.glsl

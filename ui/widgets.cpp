@@ -29,27 +29,6 @@ ImRect hoverable(const char* id, ImVec2 size)
 
 }  // namespace
 
-std::string as_sentence(std::string_view text)
-{
-    std::string sentence(text);
-    if (!sentence.empty()) sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
-    return sentence;
-}
-
-std::string sentence_case(std::string_view word)
-{
-    std::string text = as_sentence(word);
-    std::replace(text.begin(), text.end(), '_', ' ');
-    return text;
-}
-
-std::string title_of(const graph::Node& node, const graph::Library& library)
-{
-    if (!node.name.empty()) return node.name;
-    const graph::NodeType* type = library.type(node.type);
-    return type ? type->title : node.type;
-}
-
 const char* category_icon(std::string_view category)
 {
     struct Entry {

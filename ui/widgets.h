@@ -3,17 +3,16 @@
 
 #include "ui/frame_context.h"
 
+#include "graph/words.h"
+
 #include <string>
 #include <string_view>
 
 namespace fieldwright::ui {
 
-// "half_size" -> "Half size".
-std::string sentence_case(std::string_view word);
-// A sentence begins with a capital.
-std::string as_sentence(std::string_view text);
-// What a node is called: its name, or the title of its type.
-std::string title_of(const graph::Node& node, const graph::Library& library);
+using graph::as_sentence;
+using graph::in_words;
+using graph::title_of;
 const char* category_icon(std::string_view category);
 
 // `text` cut to `width_px` with an ellipsis, in the current font.

@@ -2,6 +2,7 @@
 #include "ui/wire_targets.h"
 
 #include "graph/wire_rules.h"
+#include "graph/words.h"
 
 #include <map>
 
@@ -55,7 +56,7 @@ bool fits_together(const graph::Document& document, const graph::Library& librar
     const graph::Socket& input = *to.type->input(socket);
     int taken =
         input.kind == graph::SocketKind::field_any ? rules.dimension(to.node->id) : graph::dimension_of(input.kind);
-    if (!graph::dimension_error(*from.node, rules.dimension(from.node->id), *to.node, taken, socket)) return true;
+    if (!graph::dimension_error(from, rules.dimension(from.node->id), to, taken, socket)) return true;
     return to.node->input(socket) && !graph::wire_error(document, library, from.node->id, to.node->id, socket);
 }
 
@@ -114,10 +115,37 @@ graph::Refusal WireTargets::connect(graph::Document& document, const graph::Libr
                                : "two inputs cannot be wired to each other; end the wire on an output";
 }
 
+// Of a node; empty when there is none.
+std::string WireTargets::fitting_input(const graph::NodeType& type, NodeId node) const
+{
+    for (const graph::Socket& input : type.inputs)
+        if (fits(node, input.name)) return input.name;
+    return {};
+}
+
 std::string WireTargets::reason(const graph::Library& library, NodeId node, std::string_view socket) const
 {
     graph::Document trial = document_;
-    return connect(trial, library, node, socket).value_or("");
+    std::string why = connect(trial, library, node, socket).value_or("");
+    const graph::NodeType* type = library.type(document_.root.find(node)->type);
+    bool may_help = !why.empty() && type && end_.socket.empty() && !socket.empty();
+    std::string better = may_help ? fitting_input(*type, node) : "";
+    return better.empty() ? why : why + "; " + graph::titled(graph::socket_label(type, better)) + " takes it";
+}
+
+// The input that comes nearest says why: one of the right kind, if there is one.
+std::string WireTargets::reason(const graph::Library& library, NodeId id) const
+{
+    if (!end_.socket.empty()) return reason(library, id, "");
+    const graph::Node *source = document_.root.find(end_.node), *node = document_.root.find(id);
+    const graph::NodeType *from = library.type(source->type), *to = library.type(node->type);
+    std::string target = graph::titled(graph::node_title(*node, to));
+    if (!to) return target + " is of a type this version does not know; nothing can be wired to it";
+    for (const graph::Socket& input : to->inputs)
+        if (!graph::kind_error({source, from}, {node, to}, input.name)) return reason(library, id, input.name);
+    std::string given = graph::kind_named(graph::Wording::titles, from ? from->output : graph::SocketKind::none);
+    return "no input of " + target + " takes " + given + ", which " + graph::titled(graph::node_title(*source, from)) +
+           " gives";
 }
 
 }  // namespace fieldwright::ui

@@ -18,12 +18,15 @@ public:
     // Wires it. Refuses with the sentence that says why not.
     graph::Refusal connect(graph::Document& document, const graph::Library& library, graph::NodeId node,
                            std::string_view socket) const;
-    // Why a pin is not one of them, in one sentence.
+    // Why a pin is not one of them, and which pin of its node is, in one sentence.
     std::string reason(const graph::Library& library, graph::NodeId node, std::string_view socket) const;
+    // Why no pin of a node is.
+    std::string reason(const graph::Library& library, graph::NodeId node) const;
 
 private:
     void find_inputs(const graph::Library& library);
     void find_outputs(const graph::Library& library);
+    std::string fitting_input(const graph::NodeType& type, graph::NodeId node) const;
 
     graph::Document document_;
     graph::LooseEnd end_;

@@ -2,6 +2,7 @@
 #include "app/session.h"
 
 #include "graph/edits.h"
+#include "graph/layout.h"
 #include "graph/scene_file.h"
 #include "tests/app/program.h"
 
@@ -119,6 +120,27 @@ TEST_F(EditSessionTest, save_as_adds_the_extension_and_saves_what_is_seen)
     EXPECT_EQ(scene_path("a.json"), "a.json");
     EXPECT_EQ(scene_path("a.scene.json"), "a.scene.json");
     EXPECT_EQ(scene_path("v1.2"), "v1.2.scene.json");
+}
+
+TEST_F(EditSessionTest, a_scene_in_a_heap_is_laid_out_on_opening_and_stays_clean)
+{
+    Document heap;
+    NodeId output = graph::add_node(heap, library(), "output");
+    for (int i = 0; i < 900; ++i) {
+        NodeId ball = graph::add_node(heap, library(), "sphere");
+        if (i == 0) graph::connect(heap, library(), ball, output, "d");
+    }
+    graph::save_scene(folder_ / "heap.json", heap, library());
+    session.open(folder_ / "heap.json");
+    EXPECT_TRUE(session.laid_out());
+    EXPECT_FALSE(session.dirty());
+    EXPECT_FALSE(graph::lies_in_heaps(session.document().root));
+    EXPECT_EQ(graph::validate(session.document(), library()), std::nullopt);
+    session.save();
+    session.open(folder_ / "heap.json");
+    EXPECT_FALSE(session.laid_out()) << "the file has places now";
+    session.new_scene();
+    EXPECT_FALSE(session.laid_out());
 }
 
 TEST_F(EditSessionTest, save_writes_to_the_same_file_again)

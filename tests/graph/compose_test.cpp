@@ -140,7 +140,7 @@ TEST_F(Compose, adding_to_the_output_refuses_what_is_no_shape_or_out_of_range)
         return refused([&] { return add_primitive_to_output(document, library, type, at, place); });
     };
     EXPECT_EQ(add("no_such", {0, 0}), "there is no node type `no_such`");
-    EXPECT_NE(add("union", {0, 0}).find("`union` is not a shape"), std::string::npos);
+    EXPECT_NE(add("union", {0, 0}).find("“Union” is not a shape"), std::string::npos);
     EXPECT_NE(add("sun", {0, 0}).find("is not a shape"), std::string::npos);
     EXPECT_NE(add("output", {0, 0}).find("is not a shape"), std::string::npos);
     EXPECT_NE(add("box", {std::numeric_limits<float>::infinity(), 0}).find("finite"), std::string::npos);
@@ -156,7 +156,7 @@ TEST_F(Compose, a_sky_is_wired_to_the_output_and_a_second_output_refused)
     EXPECT_EQ(source(output, "camera"), camera);
     EXPECT_NE(refused([&] {
                   return add_to_output(document, library, "box", {0, 0});
-              }).find("`box`"),
+              }).find("“Box”"),
               std::string::npos);
     EXPECT_NE(refused([&] {
                   return add_alone(document, library, "output", {0, 0});
@@ -202,13 +202,12 @@ TEST_F(Compose, insert_after_refuses_what_does_not_fit)
     auto insert = [&](std::string_view type, NodeId after) {
         return refused([&] { return insert_after(document, library, type, after); });
     };
-    EXPECT_EQ(insert("sphere", box), "`sphere` has no free input for the 3D field that node 1 (`box`) gives");
-    EXPECT_NE(insert("extrude", box).find("3D field"), std::string::npos);
+    EXPECT_EQ(insert("sphere", box), "no free input of “Sphere” takes a solid, which “Box” gives");
+    EXPECT_NE(insert("extrude", box).find("a solid"), std::string::npos);
     EXPECT_NE(insert("twist", sun).find("light"), std::string::npos);
     EXPECT_EQ(insert("twist", {99}), "there is no node 99");
     EXPECT_EQ(insert("no_such", box), "there is no node type `no_such`");
-    EXPECT_NE(insert("revolve", circle).find("gives a 3D field and cannot feed `d` of node 4 (`extrude`)"),
-              std::string::npos)
+    EXPECT_NE(insert("revolve", circle).find("gives a solid and cannot feed “Shape” of “Extrude”"), std::string::npos)
         << solid.number;
 }
 
@@ -270,8 +269,8 @@ TEST_F(Compose, combine_refuses_one_node_twice_mixed_dimensions_and_types_of_one
         return refused([&] { return combine(document, library, type, a, b); });
     };
     EXPECT_NE(both("union", box, box).find("two different nodes"), std::string::npos);
-    EXPECT_NE(both("union", box, circle).find("2D"), std::string::npos);
-    EXPECT_EQ(both("twist", box, ball), "`twist` does not combine two fields");
+    EXPECT_NE(both("union", box, circle).find("flat shape"), std::string::npos);
+    EXPECT_EQ(both("twist", box, ball), "“Twist” does not combine two shapes");
     EXPECT_EQ(both("union", box, {99}), "there is no node 99");
     EXPECT_EQ(both("no_such", box, ball), "there is no node type `no_such`");
 }
@@ -325,13 +324,13 @@ TEST_F(Compose, insert_on_wire_refuses_with_the_reason)
     auto insert = [&](NodeId which, NodeId target, std::string_view socket) {
         return refused([&] { return insert_on_wire(document, library, which, target, socket); });
     };
-    EXPECT_EQ(insert(sun, output, "d"), "`sun` has no free input for the 3D field that node 1 (`box`) gives");
+    EXPECT_EQ(insert(sun, output, "d"), "no free input of “Sun” takes a solid, which “Box” gives");
     EXPECT_NE(insert(full, output, "d").find("no free input"), std::string::npos);
     EXPECT_NE(insert(box, output, "d").find("an end of this wire"), std::string::npos);
-    EXPECT_EQ(insert(slice, output, "sky"), "nothing is wired to `sky` of node 2 (`output`)");
+    EXPECT_EQ(insert(slice, output, "sky"), "nothing is wired to “Sky” of “Output”");
     EXPECT_EQ(insert({99}, output, "d"), "there is no node 99");
     EXPECT_EQ(insert(slice, {99}, "d"), "there is no node 99");
-    EXPECT_NE(insert(slice, outer, "d").find("gives a 2D field and cannot feed"), std::string::npos);
+    EXPECT_NE(insert(slice, outer, "d").find("gives a flat shape and cannot feed"), std::string::npos);
     EXPECT_NE(insert(stranger, output, "d").find("type this version does not know"), std::string::npos);
     NodeId last = scene.node("union", {{"a", outer}});
     EXPECT_NE(insert(last, outer, "d").find("cycle"), std::string::npos);
@@ -390,7 +389,7 @@ TEST_F(Compose, wires_are_made_all_or_none)
         return refused([&] { return connect_all(document, library, wires); });
     };
     EXPECT_NE(wire({{box, a, "a"}, {b, a, "b"}}).find("cycle"), std::string::npos);
-    EXPECT_NE(wire({{box, a, "a"}, {box, a, "no_such"}}).find("has no socket `no_such`"), std::string::npos);
+    EXPECT_NE(wire({{box, a, "a"}, {box, a, "no_such"}}).find("has no input “No such”"), std::string::npos);
     EXPECT_EQ(wire({{box, a, "a"}, {{99}, a, "b"}}), "there is no node 99");
     EXPECT_EQ(wire({{box, a, "a"}, {box, {99}, "b"}}), "there is no node 99");
     done(connect_all(document, library, {{box, a, "a"}, {a, b, "b"}, {{}, b, "a"}}));
@@ -496,9 +495,9 @@ TEST_F(Compose, a_dropped_wire_adds_a_wired_node)
     auto add = [&](std::string_view type, const LooseEnd& end) {
         return refused([&] { return add_wired(document, library, type, {0, 0}, end); });
     };
-    EXPECT_EQ(add("sphere", {box, ""}), "`sphere` cannot be wired to the output of node 1 (`box`)");
-    EXPECT_EQ(add("sun", {output, "d"}), "`sun` cannot be wired to `d` of node 2 (`output`)");
-    EXPECT_EQ(add("sphere", {output, "no_such"}), "`sphere` cannot be wired to `no_such` of node 2 (`output`)");
+    EXPECT_EQ(add("sphere", {box, ""}), "“Sphere” cannot be wired to “Box”");
+    EXPECT_EQ(add("sun", {output, "d"}), "“Sun” cannot be wired to “Shape” of “Output”");
+    EXPECT_EQ(add("sphere", {output, "no_such"}), "“Sphere” cannot be wired to “No such” of “Output”");
     EXPECT_EQ(add("sphere", {{99}, ""}), "there is no node 99");
     EXPECT_TRUE(fits(document, library, {{99}, ""}).empty());
 }

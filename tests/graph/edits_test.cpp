@@ -67,7 +67,8 @@ TEST_F(Edits, connect_refuses_a_cycle)
     NodeId first = add("union"), second = add("union"), third = add("union");
     ASSERT_EQ(wire(first, second, "a"), std::nullopt);
     ASSERT_EQ(wire(second, third, "b"), std::nullopt);
-    EXPECT_EQ(wire_refused(third, first, "a"), "wiring node 3 (`union`) to `a` of node 1 (`union`) would make a cycle");
+    document.root.find(first)->name = "Base";
+    EXPECT_EQ(wire_refused(third, first, "a"), "“Union” is made of “Base” itself; this wire would make a cycle");
     EXPECT_NE(wire_refused(first, first, "a").find("cycle"), std::string::npos);
 }
 
@@ -75,15 +76,14 @@ TEST_F(Edits, connect_refuses_wrong_kinds_naming_both)
 {
     NodeId sphere = add("sphere"), number = add("number"), paint = add("paint"), arrow = add("arrow"),
            star = add("star");
-    EXPECT_EQ(wire_refused(sphere, sphere, "radius").find("node 1 (`sphere`) gives a 3D field"), 0u);
     EXPECT_EQ(
-        wire_refused(number, paint, "material"),
-        "node 2 (`number`) gives a number and cannot feed `material` of node 3 (`paint`), which takes a material");
-    EXPECT_NE(wire_refused(number, paint, "d").find("takes a field"), std::string::npos);
-    EXPECT_NE(wire_refused(arrow, sphere, "radius").find("gives a vec3"), std::string::npos);
-    EXPECT_NE(wire_refused(arrow, star, "size").find("takes a vec2"), std::string::npos);
-    EXPECT_EQ(wire_refused(number, star, "corners").find("node 5 (`star`) has no socket `corners`; its sockets are"),
-              0u);
+        wire_refused(sphere, sphere, "radius").find("“Sphere” gives a solid and cannot feed “Radius” of “Sphere”"), 0u);
+    EXPECT_EQ(wire_refused(number, paint, "material"),
+              "“Number” gives a number and cannot feed “Material” of “Paint”, which takes a material");
+    EXPECT_NE(wire_refused(number, paint, "d").find("“Shape” of “Paint”, which takes a shape"), std::string::npos);
+    EXPECT_NE(wire_refused(arrow, sphere, "radius").find("gives three numbers"), std::string::npos);
+    EXPECT_NE(wire_refused(arrow, star, "size").find("takes two numbers"), std::string::npos);
+    EXPECT_EQ(wire_refused(number, star, "corners"), "“Star” has no input “Corners”");
     EXPECT_EQ(wire_refused(number, {99}, "a"), "there is no node 99");
     EXPECT_EQ(wire_refused({99}, sphere, "radius"), "there is no node 99");
 }
@@ -102,7 +102,7 @@ TEST_F(Edits, connect_refuses_2d_into_3d_and_says_what_to_put_between)
 {
     NodeId circle = add("circle"), output = add("output"), sphere = add("sphere"), extrude = add("extrude");
     EXPECT_EQ(wire_refused(circle, output, "d"),
-              "node 1 (`circle`) gives a 2D field and cannot feed `d` of node 2 (`output`), which takes a 3D field; "
+              "“Circle” gives a flat shape and cannot feed “Shape” of “Output”, which takes a solid; "
               "put an extrude or a revolve between");
     EXPECT_NE(wire_refused(sphere, extrude, "d").find("put a slice between"), std::string::npos);
     EXPECT_EQ(wire(circle, extrude, "d"), std::nullopt);
@@ -135,7 +135,7 @@ TEST_F(Edits, a_wire_replaces_the_one_before_and_inputs_stay_sorted)
     std::vector<std::pair<std::string, NodeId>> expected = {{"a", second}, {"b", first}};
     EXPECT_EQ(document.root.find(both)->inputs, expected);
     EXPECT_EQ(disconnect(document, both, "a"), std::nullopt);
-    EXPECT_EQ(refused([&] { return disconnect(document, both, "a"); }), "nothing is wired to `a` of node 3 (`union`)");
+    EXPECT_EQ(refused([&] { return disconnect(document, both, "a"); }), "nothing is wired to `a` of “union”");
 }
 
 TEST_F(Edits, parameters_refuse_wrong_kinds_ranges_and_names)
@@ -144,12 +144,12 @@ TEST_F(Edits, parameters_refuse_wrong_kinds_ranges_and_names)
     auto set = [&](NodeId node, std::string_view name, Value value) {
         return refused([&] { return set_parameter(document, *library, node, name, value); });
     };
-    EXPECT_EQ(set(sphere, "radius", 11.0f), "`radius` of node 1 (`sphere`) must lie between 0.01 and 10 m");
+    EXPECT_EQ(set(sphere, "radius", 11.0f), "“Radius” of “Sphere” must lie between 0.01 and 10 m");
     EXPECT_EQ(set(sphere, "radius", std::numeric_limits<float>::quiet_NaN()),
-              "`radius` of node 1 (`sphere`) must be a finite number");
-    EXPECT_EQ(set(sphere, "radius", 1), "`radius` of node 1 (`sphere`) must be a number");
-    EXPECT_EQ(set(sphere, "radios", 1.0f), "node 1 (`sphere`) has no parameter `radios`; its parameters are `radius`");
-    EXPECT_EQ(set(star, "style", std::string("oval")), "`style` of node 2 (`star`) must be one of: sharp, round");
+              "“Radius” of “Sphere” must be a finite number");
+    EXPECT_EQ(set(sphere, "radius", 1), "“Radius” of “Sphere” must be a number");
+    EXPECT_EQ(set(sphere, "radios", 1.0f), "“Sphere” has no parameter `radios`; its parameters are `radius`");
+    EXPECT_EQ(set(star, "style", std::string("oval")), "“Style” of “Star” must be one of: sharp, round");
     EXPECT_EQ(set_parameter(document, *library, star, "style", std::string("sharp")), std::nullopt);
     EXPECT_EQ(std::get<std::string>(*document.root.find(star)->parameter("style")), "sharp");
 }
@@ -166,15 +166,11 @@ TEST_F(Edits, names_positions_and_settings_are_checked)
     EXPECT_NE(refused([&] { return move_node(document, sphere, {INFINITY, 0}); }), "accepted");
     MarchSettings march;
     march.step_limit = 0;
-    EXPECT_EQ(refused([&] { return set_march(document, march); }),
-              "march setting `step_limit` must lie between 1 and 60000");
+    EXPECT_EQ(refused([&] { return set_march(document, march); }), "“Step limit” must lie between 1 and 60000");
     march = {};
     march.far = march.near;
-    EXPECT_EQ(refused([&] { return set_march(document, march); }), "march setting `near` must be smaller than `far`");
-    EXPECT_EQ(refused([&] {
-                  return set_occlusion(document, {NAN, 1});
-              }),
-              "occlusion setting `strength` must lie between 0 and 1");
+    EXPECT_EQ(refused([&] { return set_march(document, march); }), "“Near” must be smaller than far");
+    EXPECT_EQ(refused([&] { return set_occlusion(document, {NAN, 1}); }), "“Strength” must lie between 0 and 1");
     EXPECT_EQ(set_occlusion(document, {0.5f, 1}), std::nullopt);
 }
 

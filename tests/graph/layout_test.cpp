@@ -104,6 +104,22 @@ TEST_F(Layout, the_same_graph_always_gets_the_same_places_and_keeps_them)
     EXPECT_TRUE(layout({}, {}, uneven_size).empty());
 }
 
+TEST_F(Layout, a_heap_is_where_more_than_half_lie_on_another)
+{
+    EXPECT_FALSE(lies_in_heaps(document.root));
+    NodeId first = scene.node("box");
+    EXPECT_FALSE(lies_in_heaps(document.root)) << "one lies on nothing";
+    NodeId second = scene.node("box"), third = scene.node("box");
+    EXPECT_TRUE(lies_in_heaps(document.root));
+    ASSERT_FALSE(move_node(document, first, {40, 0}));
+    EXPECT_TRUE(lies_in_heaps(document.root));
+    NodeId fourth = scene.node("box");
+    ASSERT_FALSE(move_node(document, fourth, {80, 0}));
+    EXPECT_FALSE(lies_in_heaps(document.root)) << "two of four";
+    ASSERT_EQ(arrange(document, {second, third}, uneven_size), std::nullopt);
+    EXPECT_FALSE(lies_in_heaps(document.root));
+}
+
 TEST_F(Layout, nodes_of_unknown_type_are_left_out)
 {
     NodeId box = scene.node("box");

@@ -86,8 +86,8 @@ TEST_F(SceneParts, a_flat_shape_is_moved_where_it_is_solid)
     scene.node("union", {{"a", circle}});
     auto insert = [&](NodeId id) { return refused([&] { return insert_translate(document, library, id); }); };
     EXPECT_NE(insert(circle).find("is flat where it is combined"), std::string::npos);
-    EXPECT_NE(insert(scene.node("sun")).find("is not a field"), std::string::npos);
-    EXPECT_NE(insert(output).find("is not a field"), std::string::npos);
+    EXPECT_NE(insert(scene.node("sun")).find("is not a shape"), std::string::npos);
+    EXPECT_NE(insert(output).find("is not a shape"), std::string::npos);
     EXPECT_EQ(insert({99}), "there is no node 99");
 }
 
@@ -117,8 +117,8 @@ TEST_F(SceneParts, materials_refuse_what_is_no_field_or_no_material)
     auto add = [&](std::string_view type, NodeId id) {
         return refused([&] { return add_material(document, library, type, id); });
     };
-    EXPECT_NE(add("phong", sun).find("is not a field"), std::string::npos);
-    EXPECT_EQ(add("sphere", box), "`sphere` is not a material");
+    EXPECT_NE(add("phong", sun).find("is not a shape"), std::string::npos);
+    EXPECT_EQ(add("sphere", box), "“Sphere” is not a material");
     EXPECT_EQ(add("no_such", box), "there is no node type `no_such`");
     Document before = document;
     EXPECT_NE(assign_material(document, library, sun, box).value_or("").find("takes a material"), std::string::npos);
@@ -163,6 +163,42 @@ TEST_F(SceneParts, a_scene_without_camera_gets_one_and_a_bad_view_changes_nothin
     NodeId camera = done(set_scene_camera_from_view(document, library, {{1, 2, 3}, {}, 50}));
     EXPECT_EQ(document.root.nodes.size(), 2u);
     EXPECT_EQ(document.root.find(camera)->type, "perspective");
+}
+
+TEST_F(SceneParts, the_output_says_why_it_shows_nothing)
+{
+    auto shown = [&] { return shown_by_output(document, library); };
+    scene.node("sun");
+    EXPECT_EQ(shown(), Shown::no_shape);
+    NodeId box = scene.node("box");
+    EXPECT_EQ(shown(), Shown::no_output);
+    NodeId output = scene.node("output");
+    EXPECT_EQ(shown(), Shown::nothing_wired);
+    NodeId both = scene.node("union");
+    scene.wire(both, output, "d");
+    EXPECT_EQ(shown(), Shown::nothing_made);
+    scene.wire(box, both, "b");
+    EXPECT_EQ(shown(), Shown::something);
+    set_muted(document, both, true);
+    EXPECT_EQ(shown(), Shown::nothing_made) << "muted, it passes on its first shape";
+    set_muted(document, both, false);
+    set_muted(document, box, true);
+    EXPECT_EQ(shown(), Shown::nothing_made);
+}
+
+TEST_F(SceneParts, what_is_made_of_most_is_shown_first)
+{
+    scene.node("box");
+    NodeId camera = scene.node("perspective");
+    NodeId star = scene.node("star"), turned = scene.node("rotate_2d", {{"d", star}});
+    NodeId output = done(show_shape(document, library)), solid = source(output, "d");
+    EXPECT_EQ(document.root.find(solid)->type, "extrude");
+    EXPECT_EQ(source(solid, "d"), turned);
+    EXPECT_EQ(source(output, "camera"), camera);
+    EXPECT_EQ(shown_by_output(document, library), Shown::something);
+    done({{}, disconnect(document, output, "d")});
+    EXPECT_EQ(done(show_shape(document, library)), output) << "the same one again";
+    EXPECT_EQ(source(output, "d"), solid);
 }
 
 }  // namespace

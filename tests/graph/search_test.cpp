@@ -101,6 +101,13 @@ TEST_F(Search, recent_types_come_first_on_ties_only)
     EXPECT_EQ(first("box", {"box_frame"}), "box") << "better matches stay before";
 }
 
+TEST_F(Search, of_equals_the_shorter_title_comes_first)
+{
+    std::vector<const NodeType*> two = {library->type("rotate"), library->type("round")};
+    EXPECT_EQ(search_types(two, "ro").front(), library->type("round"));
+    EXPECT_EQ(search_types(two, "ro", {"rotate"}).front(), library->type("rotate")) << "what is recent stays before";
+}
+
 TEST_F(Search, an_empty_query_lists_all_by_category)
 {
     std::vector<const NodeType*> all = search_types(library->types(), " ", {"torus"});

@@ -123,6 +123,36 @@ TEST_F(CanvasTest, what_does_not_fit_is_refused_with_its_reason)
     expect_no_step();
 }
 
+TEST_F(CanvasTest, a_wire_dropped_on_a_node_where_nothing_fits_says_why)
+{
+    NodeId number = add("number", {0, 0}), both = add("union", {300, 0}), paint = add("paint", {300, 200});
+    open().drag(out(number), header(both));
+    EXPECT_EQ(driver->editor.status_text(), "No input of “Union” takes a number, which “Number” gives");
+    expect_no_step();
+    driver->drag(out(both), header(both));
+    EXPECT_EQ(driver->editor.status_text(), "No input of “Union” takes a number, which “Number” gives") << "a slip";
+    driver->drag(out(paint), in(paint, "material") + glm::vec2(0, 1));
+    EXPECT_NE(driver->editor.status_text().find("“Paint” gives a shape and cannot feed “Material”"), std::string::npos)
+        << driver->editor.status_text();
+    driver->drag(out(both), in(paint, "material"));
+    EXPECT_EQ(driver->editor.status_text(),
+              "“Union” gives a shape and cannot feed “Material” of “Paint”, which takes a material; “Shape” takes it");
+    expect_no_step();
+}
+
+TEST_F(CanvasTest, renaming_a_node_of_unknown_type_says_why_not)
+{
+    NodeId sphere = add("sphere", {40, 40});
+    start.root.find(sphere)->type = "warp";
+    start.root.find(sphere)->parameters.clear();
+    start.root.find(sphere)->unknown_source = "{\"type\": \"warp\"}";
+    open().double_click(header(sphere));
+    driver->frames(2);
+    EXPECT_EQ(driver->editor.status_text().find("“warp” is of a type this version does not know"), 0u);
+    EXPECT_FALSE(driver->shows("canvas/rename"));
+    expect_no_step();
+}
+
 TEST_F(CanvasTest, a_wire_dragged_off_its_input_is_detached)
 {
     NodeId sphere = add("sphere", {0, 0}), output = add("output", {300, 0});
@@ -359,7 +389,7 @@ TEST_F(CanvasTest, a_node_is_renamed_on_its_header)
     driver->key(ui::key::enter);
     EXPECT_EQ(node(sphere).name, "Moon");
     EXPECT_FALSE(driver->shows("canvas/rename"));
-    expect_one_step("Rename node");
+    expect_one_step("Rename sphere");
 }
 
 TEST_F(CanvasTest, escape_keeps_the_old_name)

@@ -74,7 +74,7 @@ TEST(Inspector, dragging_a_number_is_one_step_and_changes_nothing_else)
     OneNode torus("torus");
     drag_right(torus.driver, "inspector/minor", 60);
     ASSERT_EQ(torus.driver.steps.size(), 2u);
-    EXPECT_EQ(torus.driver.steps[1].second, "Change Torus minor");
+    EXPECT_EQ(torus.driver.steps[1].second, "Change torus minor");
     auto minor = torus.value<float>("minor");
     EXPECT_GT(minor, 0.25f);
     EXPECT_EQ(torus.driver.document, torus.with("minor", minor));
@@ -162,7 +162,7 @@ TEST(Inspector, typing_and_then_dragging_another_field_are_two_steps)
     drag_right(torus.driver, "inspector/major", 40);
     ASSERT_EQ(torus.driver.steps.size(), 3u);
     EXPECT_EQ(torus.driver.steps[1].first, torus.with("minor", 0.125f));
-    EXPECT_EQ(torus.driver.steps[2].second, "Change Torus major");
+    EXPECT_EQ(torus.driver.steps[2].second, "Change torus major");
 }
 
 TEST(Inspector, typed_nonsense_keeps_the_old_value)
@@ -190,7 +190,7 @@ TEST(Inspector, reset_is_offered_only_away_from_the_default_and_restores_it)
     drag_right(torus.driver, "inspector/major", 40);
     torus.driver.click("inspector/major/reset");
     EXPECT_EQ(torus.value<float>("major"), 1.0f);
-    EXPECT_EQ(torus.driver.steps.back().second, "Reset Torus major");
+    EXPECT_EQ(torus.driver.steps.back().second, "Reset torus major");
     torus.driver.frame();
     EXPECT_FALSE(torus.driver.shows("inspector/major/reset"));
 }
@@ -312,7 +312,7 @@ TEST(Inspector, a_wired_parameter_shows_its_source_and_can_be_unwired)
     sphere.driver.frames(2);
     sphere.driver.click("inspector/radius/unwire");
     EXPECT_FALSE(sphere.node().input("radius"));
-    EXPECT_EQ(sphere.driver.steps.back().second, "Unwire Sphere radius");
+    EXPECT_EQ(sphere.driver.steps.back().second, "Unwire sphere radius");
 }
 
 TEST(Inspector, a_field_input_shows_its_source)
@@ -341,7 +341,7 @@ TEST(Inspector, mute_is_a_step)
     OneNode torus("torus");
     torus.driver.click("inspector/mute");
     EXPECT_TRUE(torus.node().muted);
-    EXPECT_EQ(torus.driver.steps.back().second, "Mute Torus");
+    EXPECT_EQ(torus.driver.steps.back().second, "Mute torus");
 }
 
 TEST(Inspector, points_are_added_moved_and_deleted)

@@ -199,6 +199,21 @@ TEST(StatusLine, shows_a_refusal_for_some_seconds)
     EXPECT_FALSE(driver.shows("status/left"));
 }
 
+TEST(StatusLine, the_same_news_again_is_seen_again)
+{
+    Driver driver(first_example());
+    driver.move({1200, 200});
+    driver.readings.status = "Exported first.png";
+    driver.readings.status_count = 1;
+    driver.frames(2);
+    EXPECT_EQ(driver.editor.status_text(), "Exported first.png");
+    driver.frames(5 * 60);
+    EXPECT_EQ(driver.editor.status_text(), "");
+    driver.readings.status_count = 2;
+    driver.frames(2);
+    EXPECT_EQ(driver.editor.status_text(), "Exported first.png");
+}
+
 TEST(UnsavedChanges, closing_a_clean_scene_asks_nothing)
 {
     Driver driver(first_example());

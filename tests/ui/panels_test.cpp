@@ -81,13 +81,35 @@ TEST(LightsPanel, adding_a_sun_is_one_step_and_undo_takes_it_back)
     driver.click("panel/lights/add");
     driver.click("panel/lights/add/sun");
     ASSERT_EQ(driver.steps.size(), 2u);
-    EXPECT_EQ(driver.steps[1].second, "Add Sun");
+    EXPECT_EQ(driver.steps[1].second, "Add sun");
     EXPECT_EQ(driver.document.root.nodes.size(), before.root.nodes.size() + 1);
     EXPECT_EQ(driver.document.root.find(driver.editor.view.selection.active())->type, "sun");
     driver.editor.view.panel = Panel::history;
     driver.frames(2);
     driver.click("panel/history/undo");
     EXPECT_EQ(driver.document, before);
+}
+
+TEST(LightsPanel, a_lamp_is_placed_before_what_is_seen_and_lights_it_gently)
+{
+    for (float size : {0.1f, 1.0f, 20.0f}) {
+        OnPanel driver(Panel::lights);
+        driver.editor.view.through_camera = false;
+        driver.editor.view.camera.pivot = {5, 1, -3};
+        driver.editor.view.camera.distance = 6 * size;
+        driver.frames(2);
+        driver.click("panel/lights/add");
+        driver.click("panel/lights/add/point");
+        driver.frames(2);
+        const graph::Node& lamp = *driver.document.root.find(node_of(driver.document, "point"));
+        glm::vec3 way = std::get<glm::vec3>(*lamp.parameter("position")) - driver.editor.view.camera.pivot;
+        float distance = glm::length(way);
+        EXPECT_NEAR(std::get<float>(*lamp.parameter("intensity")) / (distance * distance), 0.3f, 0.02f) << size;
+        EXPECT_GT(glm::dot(way, driver.editor.view.camera.backward()), 0) << "in front";
+        EXPECT_GT(way.y, 0.3f * distance) << "above";
+        EXPECT_LT(distance, 6 * size) << "nearer than the eye";
+        EXPECT_EQ(driver.steps.size(), 2u);
+    }
 }
 
 TEST(LightsPanel, without_lights_it_offers_a_sun)
@@ -165,7 +187,7 @@ TEST(MaterialsPanel, an_empty_list_offers_one_for_the_selected_shape)
     driver.click("panel/materials/offer");
     driver.click("panel/materials/add/phong");
     EXPECT_TRUE(node_of(driver.document, "paint"));
-    EXPECT_EQ(driver.steps.back().second, "Add Phong to Sphere");
+    EXPECT_EQ(driver.steps.back().second, "Add phong to sphere");
 }
 
 TEST(MaterialsPanel, a_material_added_on_nothing_stands_alone)

@@ -347,6 +347,41 @@ TEST_F(ViewportTest, the_legend_belongs_to_the_steps_view)
     EXPECT_TRUE(driver.shows("viewport/legend"));
 }
 
+TEST_F(ViewportTest, says_that_views_of_data_have_no_stereo)
+{
+    show_picture();
+    view().statistics = false;
+    view().stereo = "dubois";
+    driver.frames(1);
+    EXPECT_FALSE(driver.shows("viewport/statistics"));
+    view().view = "depth";
+    driver.frames(1);
+    EXPECT_TRUE(driver.shows("viewport/statistics"));
+}
+
+TEST_F(ViewportTest, a_scene_that_shows_nothing_says_why_and_helps)
+{
+    show_picture();
+    driver.frames(1);
+    EXPECT_FALSE(driver.shows("viewport/nothing"));
+    driver.document.root.find(sphere)->muted = true;
+    driver.frames(1);
+    EXPECT_TRUE(driver.shows("viewport/nothing"));
+    EXPECT_FALSE(driver.shows("viewport/nothing/help")) << "nobody knows which one is meant";
+    driver.document.root.find(sphere)->muted = false;
+    ASSERT_FALSE(graph::remove_node(driver.document, output));
+    driver.frames(1);
+    driver.click("viewport/nothing/help");
+    driver.frames(2);
+    EXPECT_EQ(driver.steps.back().second, "Add output");
+    EXPECT_FALSE(driver.shows("viewport/nothing"));
+    driver.document = {};
+    driver.frames(2);
+    driver.click("viewport/nothing/help");
+    driver.frames(2);
+    EXPECT_TRUE(driver.shows("add_menu/search"));
+}
+
 TEST_F(ViewportTest, statistics_stay_inside_the_pane_and_can_be_hidden)
 {
     show_picture();

@@ -1,4 +1,4 @@
-// Lens: The overlap of two equal balls, round and thin at its rim.
+// Lens 3D: The overlap of two equal balls, round and thin at its rim.
 // field: exact
 // synonyms: magnifier, lentil, discus, flying saucer
 float lens_3d_distance(
