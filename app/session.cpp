@@ -103,7 +103,9 @@ void EditSession::start(graph::Document document, std::optional<fs::path> path)
     laid_out_ = false;
 }
 
-void EditSession::new_scene() { start(app::new_scene(*library_), std::nullopt); }
+void EditSession::new_scene() { new_scene(app::new_scene(*library_)); }
+
+void EditSession::new_scene(graph::Document document) { start(std::move(document), std::nullopt); }
 
 void EditSession::open(const fs::path& path)
 {

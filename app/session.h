@@ -31,6 +31,7 @@ public:
 
     // Scenes. All but `save` drop the history; the window asks about unsaved changes before.
     void new_scene();
+    void new_scene(graph::Document document);  // begins with it
     // graph::Failure; then nothing changed. Nodes that lie in heaps are laid out, which is no unsaved change.
     void open(const std::filesystem::path& path);
     bool laid_out() const { return laid_out_; }  // when it was opened

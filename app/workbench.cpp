@@ -77,6 +77,9 @@ Workbench::Workbench(const WorkbenchOptions& options)
     readings_.node_at = [this](int x, int y) { return picture_.node_at(x, y); };
     readings_.depth_at = [this](int x, int y) { return picture_.depth_at(x, y); };
     readings_.bounds_of = [this](graph::NodeId node) { return scene_.bounds_of(node); };
+    for (const Example& example : examples())
+        readings_.examples.push_back(
+            {std::string(example.file.name), example.title, example.sentence, example_pictures_.texture(example.file)});
     recall_panes(state_, editor_.view);
     if (!options.scene.empty()) attempt([&] { recent_.add(*session_.path()); });
     scene_replaced();

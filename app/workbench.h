@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/autosave.h"
+#include "app/examples.h"
 #include "app/folder_watch.h"
 #include "app/native_dialog.h"
 #include "app/recent_files.h"
@@ -74,6 +75,7 @@ private:
     void answer_dialog();
     void chosen(const ui::ChooseFile& request, const std::filesystem::path& path);
     void open(const std::filesystem::path& path);
+    void open_example(const std::string& name);
     void save(const std::optional<std::filesystem::path>& path);
     void export_shader(const ui::ExportFile& request);
     void export_picture(const std::filesystem::path& path);
@@ -98,6 +100,7 @@ private:
     EditSession session_;
     Autosave autosave_;
     Window window_;
+    ExamplePictures example_pictures_;
     renderer::RenderThread render_thread_;
     ShownScene scene_;
     ShownPicture picture_;

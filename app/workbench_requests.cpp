@@ -39,6 +39,7 @@ void Workbench::perform(const ui::Request& request)
     };
     if (std::holds_alternative<ui::NewScene>(request)) leave_view(), session_.new_scene(), scene_replaced();
     if (auto* file = std::get_if<ui::OpenFile>(&request)) open(file->path);
+    if (auto* example = std::get_if<ui::OpenExample>(&request)) open_example(example->name);
     if (std::holds_alternative<ui::SaveFile>(request)) save(std::nullopt);
     if (auto* file = std::get_if<ui::SaveFileAs>(&request)) save(file->path);
     if (auto* shader = std::get_if<ui::ExportFile>(&request)) export_shader(*shader);
@@ -130,6 +131,17 @@ void Workbench::say_opened()
 {
     say("Opened " + session_.name() +
         (session_.laid_out() ? "; its nodes lay on one another and were laid out side by side" : ""));
+}
+
+void Workbench::open_example(const std::string& name)
+{
+    for (const Example& example : examples()) {
+        if (example.file.name != name) continue;
+        leave_view();
+        if (!attempt([&] { session_.new_scene(example_scene(example.file, *session_.library())); })) return;
+        scene_replaced();
+        return say("Opened the example " + example.title);
+    }
 }
 
 void Workbench::save(const std::optional<std::filesystem::path>& path)

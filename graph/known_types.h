@@ -16,8 +16,11 @@ inline constexpr std::string_view orthographic = "orthographic";
 inline constexpr std::string_view camera_position = "position";  // parameters of both cameras
 inline constexpr std::string_view camera_target = "target";
 inline constexpr std::string_view field_of_view = "field_of_view";  // of the perspective one, degrees
-inline constexpr std::string_view light_position = "position";      // of lamps
-inline constexpr std::string_view light_intensity = "intensity";    // of lamps, at 1 m
 inline constexpr std::string_view view_height = "height";           // of the orthographic one, m
+inline constexpr std::string_view sun = "sun";
+inline constexpr std::string_view sun_elevation = "elevation";    // degrees above the horizon
+inline constexpr std::string_view sun_azimuth = "azimuth";        // degrees about +y, 0 is +z
+inline constexpr std::string_view light_position = "position";    // of lamps
+inline constexpr std::string_view light_intensity = "intensity";  // of lamps, at 1 m
 
 }  // namespace fieldwright::graph::known_types

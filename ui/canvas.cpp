@@ -42,7 +42,7 @@ void Canvas::draw(FrameContext& frame)
     CanvasLayout layout(frame.draft.document.root, frame.draft.library, frame.view.selection, hands_.drag());
     paint(frame, layout, hover);
     if (frame.view.minimap && minimap_.shown())
-        minimap_.paint(*ImGui::GetWindowDrawList(), layout, space_, frame.view.selection);
+        minimap_.paint(*ImGui::GetWindowDrawList(), layout, space_, frame.view.selection, mouse_px());
     if (over || busy()) tooltip(frame, layout, hover);
     mark(frame, layout);
     rename_field(frame, layout);
@@ -117,7 +117,9 @@ void Canvas::zoom(FrameContext& frame)
 // A drag that leaves the pane takes the view with it.
 void Canvas::follow_hand(FrameContext& frame)
 {
-    if (!hands_.doing<MovingNodes>() && !hands_.doing<Wiring>() && !hands_.doing<BoxSelecting>()) return;
+    if (!hands_.doing<MovingNodes>() && !hands_.doing<Wiring>() && !hands_.doing<BoxSelecting>() &&
+        !hands_.doing<LassoSelecting>() && !hands_.doing<MovingWires>())
+        return;
     if (!ImGui::IsMousePosValid()) return;
     Box pane = space_.pane_px();
     glm::vec2 outside = mouse_px() - glm::clamp(mouse_px(), pane.low, pane.high);
@@ -146,11 +148,14 @@ void Canvas::open_view(FrameContext& frame, const CanvasLayout& layout)
 {
     std::optional<Box> all = layout.bounds();
     if (!all) return;
-    Box end = *all;
-    for (const CanvasNode& node : layout.nodes())
-        if (node.type && node.type->category == "output") end = node.box;
+    Opening opening{.graph = *all, .end = *all};
+    for (const CanvasNode& node : layout.nodes()) {
+        opening.nodes.push_back(node.box);
+        if (node.type && node.type->category == "output") opening.end = node.box;
+    }
+    if (frame.view.minimap) opening.corner_px = Minimap::room_px(space_.size_px, frame.theme);
     glide_.stop();
-    frame.view.canvas = opening_view(*all, end, space_.size_px, frame.theme.scale);
+    frame.view.canvas = opening_view(opening, space_.size_px, frame.theme.scale);
     place(frame);
 }
 
@@ -168,6 +173,7 @@ void Canvas::grant(FrameContext& frame, const CanvasWish& wish)
 void Canvas::bring_into_view(const FrameContext& frame, const Box& box)
 {
     Box room = space_.pane_px().grown(-frame.theme.px(24)), now = space_.screen(box);
+    if (frame.view.minimap && minimap_.shown()) room.high.y = minimap_.box_px().low.y;
     if (room.contains(now.low) && room.contains(now.high)) return;
     CanvasView to = frame.view.canvas;
     to.pan_px += room.centre() - now.centre();

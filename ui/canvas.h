@@ -3,7 +3,8 @@
 //
 // Hands: the wheel zooms about the cursor; dragging with the middle or the right button pans. Drag from a pin to wire,
 // off a wired input to detach, into empty space to add what fits. Drag a node onto a wire to insert it (Alt: not).
-// Ctrl+right drag cuts wires, Alt+click on a pin breaks all of its wires. A right click opens a menu.
+// Ctrl+drag from an output moves all of its wires, Alt+click on a pin breaks them, Ctrl+right drag cuts them.
+// Ctrl+Alt+drag draws a lasso around nodes. A right click opens a menu.
 #pragma once
 
 #include "ui/add_menu.h"
@@ -33,7 +34,7 @@ public:
     // What commands ask for; done when the canvas is next drawn.
     void open_add_menu() { wanted_.add_menu = true; }  // at the mouse, or in the middle of the pane
     void frame_all() { wanted_.frame_all = true; }
-    void frame_opening() { wanted_.frame_opening = true; }  // of a graph never seen: titles stay large enough
+    void frame_opening() { wanted_.frame_opening = true; }    // of a graph never seen: titles stay large enough
     void frame_selected() { wanted_.frame_selected = true; }  // all when nothing is selected
     void show(graph::NodeId node) { wanted_.shown = node; }   // brings a node into view, keeping the zoom
     void begin_rename(graph::NodeId node);
@@ -69,6 +70,7 @@ private:
     void paint_wires(CanvasPainter& painter, const FrameContext& frame, const CanvasLayout& layout, const Hover& hover);
     void paint_nodes(CanvasPainter& painter, const FrameContext& frame, const CanvasLayout& layout, const Hover& hover);
     void paint_pins(CanvasPainter& painter, const CanvasNode& node, const Hover& hover);
+    void paint_moving_wires(CanvasPainter& painter, const CanvasLayout& layout, const MovingWires& moved);
     void paint_gesture(CanvasPainter& painter, const CanvasLayout& layout);
     void tooltip(const FrameContext& frame, const CanvasLayout& layout, const Hover& hover);
     void mark(FrameContext& frame, const CanvasLayout& layout) const;

@@ -44,6 +44,13 @@ void move_onto_wire(FrameContext& frame, glm::vec2 by, NodeId target, const std:
     if (frame.draft.done("Insert into wire", refused)) frame.draft.document = std::move(trial);
 }
 
+graph::Refusal move_wires(graph::Document& document, const graph::Library& library, const MovingWires& wires)
+{
+    std::vector<graph::Wire> wanted;
+    for (const InputName& input : wires.inputs) wanted.push_back({wires.target, input.node, input.socket});
+    return graph::connect_all(document, library, wanted);
+}
+
 void cut_wires(FrameContext& frame, const std::vector<InputName>& inputs)
 {
     if (inputs.empty()) return;

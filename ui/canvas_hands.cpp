@@ -66,6 +66,7 @@ CanvasWish CanvasHands::update(FrameContext& frame, const CanvasSight& sight)
     }
     if (ImGui::IsKeyPressed(key::escape, false) || !ImGui::IsMousePosValid()) {
         if (BoxSelecting* box = std::get_if<BoxSelecting>(&gesture_)) frame.view.selection.replace(box->before);
+        if (LassoSelecting* lasso = std::get_if<LassoSelecting>(&gesture_)) frame.view.selection.replace(lasso->before);
         let_go();
         return wish;
     }
@@ -91,10 +92,11 @@ void CanvasHands::press(FrameContext& frame, const CanvasSight& sight, CanvasWis
 void CanvasHands::press_left(FrameContext& frame, const CanvasSight& sight, CanvasWish& wish)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    if (sight.hover.kind == Hover::Kind::header && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    if (io.KeyCtrl && io.KeyAlt) gesture_ = LassoSelecting{{sight.mouse()}, frame.view.selection.nodes()};
+    else if (sight.hover.kind == Hover::Kind::header && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         wish.rename = sight.hover.node;
     else if (sight.hover.is_pin() && io.KeyAlt) break_wires(frame, sight.hover);
-    else if (sight.hover.is_pin()) pick_up_wire(frame, sight);
+    else if (sight.hover.is_pin()) press_pin(frame, sight);
     else if (sight.hover.is_node()) press_node(frame, sight);
     else gesture_ = BoxSelecting{sight.mouse(), sight.mouse(), frame.view.selection.nodes()};
 }
@@ -110,6 +112,17 @@ void CanvasHands::press_node(FrameContext& frame, const CanvasSight& sight)
     else if (!was_selected) selection.only(node);
     if (selection.contains(node))
         gesture_ = Pressing{sight.mouse_px, node, was_selected && !io.KeyCtrl && !io.KeyShift};
+}
+
+// With Ctrl, all wires of an output; an input has one anyway.
+void CanvasHands::press_pin(FrameContext& frame, const CanvasSight& sight)
+{
+    std::vector<InputName> inputs;
+    if (ImGui::GetIO().KeyCtrl && sight.hover.kind == Hover::Kind::output)
+        for (const CanvasWire& wire : sight.layout.wires())
+            if (wire.source == sight.hover.node) inputs.push_back({wire.target, std::string(wire.socket)});
+    if (inputs.empty()) pick_up_wire(frame, sight);
+    else gesture_ = MovingWires{sight.hover.node, std::move(inputs), sight.mouse(), {}, {}};
 }
 
 void CanvasHands::pick_up_wire(FrameContext& frame, const CanvasSight& sight)
@@ -192,6 +205,31 @@ void CanvasHands::go_on(FrameContext& frame, const CanvasSight& sight, Wiring& w
     if (target && !fits) wiring.reason = wiring.targets.reason(frame.draft.library, target->node, target->socket);
 }
 
+void CanvasHands::go_on(FrameContext& frame, const CanvasSight& sight, LassoSelecting& lasso)
+{
+    if (!farther_than_threshold(frame, sight.space.screen(lasso.points.back()), sight.mouse_px)) return;
+    lasso.points.push_back(sight.mouse());
+    lasso.moved = true;
+    Selection& selection = frame.view.selection;
+    selection.clear();
+    if (ImGui::GetIO().KeyShift) selection.replace(lasso.before);
+    for (NodeId id : sight.layout.inside(lasso.points)) selection.add(id);
+}
+
+void CanvasHands::go_on(FrameContext& frame, const CanvasSight& sight, MovingWires& wires)
+{
+    wires.to = sight.mouse();
+    const CanvasNode* node =
+        sight.hover.is_node() || sight.hover.is_pin() ? sight.layout.find(sight.hover.node) : nullptr;
+    NodeId target = node && has_output(node->type) && sight.hover.node != wires.from ? sight.hover.node : NodeId{};
+    if (target == wires.target) return;
+    wires.target = target;
+    wires.reason.clear();
+    if (!target) return;
+    graph::Document trial = frame.draft.document;
+    if (graph::Refusal refused = move_wires(trial, frame.draft.library, wires)) wires.reason = *refused;
+}
+
 void CanvasHands::go_on(FrameContext&, const CanvasSight& sight, Cutting& cut)
 {
     if (cut.points.back() != sight.mouse()) cut.points.push_back(sight.mouse());
@@ -205,7 +243,10 @@ void CanvasHands::end(FrameContext& frame, const CanvasSight& sight, CanvasWish&
     } else if (const MovingNodes* move = std::get_if<MovingNodes>(&gesture)) end_move(frame, *move);
     else if (const BoxSelecting* box = std::get_if<BoxSelecting>(&gesture)) {
         if (!box->moved && !ImGui::GetIO().KeyShift && !ImGui::GetIO().KeyCtrl) frame.view.selection.clear();
+    } else if (const LassoSelecting* lasso = std::get_if<LassoSelecting>(&gesture)) {
+        if (!lasso->moved) frame.view.selection.clear();
     } else if (const Wiring* wiring = std::get_if<Wiring>(&gesture)) end_wiring(frame, sight, wish, *wiring);
+    else if (const MovingWires* wires = std::get_if<MovingWires>(&gesture)) end_moving_wires(frame, sight, *wires);
     else if (const Cutting* cut = std::get_if<Cutting>(&gesture)) end_cut(frame, sight, *cut);
 }
 
@@ -251,6 +292,16 @@ void CanvasHands::end_wiring(FrameContext& frame, const CanvasSight& sight, Canv
     }
     bool far = glm::length(sight.mouse() - loose_end_pin(sight.layout, wiring.targets.end())) > node_header;
     if (sight.hover.is_empty() && far) wish.add = AddPlace{.position = sight.mouse(), .end = wiring.targets.end()};
+}
+
+void CanvasHands::end_moving_wires(FrameContext& frame, const CanvasSight& sight, const MovingWires& wires)
+{
+    if (!wires.target && !sight.hover.is_empty()) return;  // put back
+    graph::Document trial = frame.draft.document;
+    graph::Refusal refused = move_wires(trial, frame.draft.library, wires);
+    std::string step = (wires.target ? "Move " : "Disconnect ") + std::to_string(wires.inputs.size()) +
+                       (wires.inputs.size() == 1 ? " wire" : " wires");
+    if (frame.draft.done(step, refused)) frame.draft.document = std::move(trial);
 }
 
 void CanvasHands::end_cut(FrameContext& frame, const CanvasSight& sight, const Cutting& cut)

@@ -41,6 +41,11 @@ struct BoxSelecting {
     std::vector<graph::NodeId> before;
     bool moved = false;
 };
+struct LassoSelecting {
+    std::vector<glm::vec2> points;
+    std::vector<graph::NodeId> before;
+    bool moved = false;
+};
 struct Wiring {
     WireTargets targets;
     std::optional<InputName> detached;  // the wire that was taken off its input
@@ -49,12 +54,21 @@ struct Wiring {
     graph::NodeId unfit;              // the node under the hand, when no pin of it will do
     std::string reason;               // why not
 };
+// All wires of an output, on their way to another one.
+struct MovingWires {
+    graph::NodeId from;
+    std::vector<InputName> inputs;
+    glm::vec2 to;
+    graph::NodeId target;  // under the hand
+    std::string reason;    // why not
+};
 struct Cutting {
     std::vector<glm::vec2> points;
 };
 struct Recentring {};  // by the minimap
 
-using Gesture = std::variant<Resting, Panning, Pressing, MovingNodes, BoxSelecting, Wiring, Cutting, Recentring>;
+using Gesture = std::variant<Resting, Panning, Pressing, MovingNodes, BoxSelecting, LassoSelecting, Wiring, MovingWires,
+                             Cutting, Recentring>;
 
 // What the hand asks of the canvas.
 struct CanvasWish {
@@ -93,6 +107,7 @@ private:
     void press(FrameContext& frame, const CanvasSight& sight, CanvasWish& wish);
     void press_left(FrameContext& frame, const CanvasSight& sight, CanvasWish& wish);
     void press_node(FrameContext& frame, const CanvasSight& sight);
+    void press_pin(FrameContext& frame, const CanvasSight& sight);
     void pick_up_wire(FrameContext& frame, const CanvasSight& sight);
 
     void go_on(FrameContext&, const CanvasSight&, Resting&) {}
@@ -100,7 +115,9 @@ private:
     void go_on(FrameContext& frame, const CanvasSight& sight, Pressing& press);
     void go_on(FrameContext& frame, const CanvasSight& sight, MovingNodes& move);
     void go_on(FrameContext& frame, const CanvasSight& sight, BoxSelecting& box);
+    void go_on(FrameContext& frame, const CanvasSight& sight, LassoSelecting& lasso);
     void go_on(FrameContext& frame, const CanvasSight& sight, Wiring& wiring);
+    void go_on(FrameContext& frame, const CanvasSight& sight, MovingWires& wires);
     void go_on(FrameContext& frame, const CanvasSight& sight, Cutting& cut);
     void go_on(FrameContext&, const CanvasSight&, Recentring&) {}
 
@@ -108,6 +125,7 @@ private:
     void end_pan(FrameContext& frame, const CanvasSight& sight, CanvasWish& wish, const Panning& pan);
     void end_move(FrameContext& frame, const MovingNodes& move);
     void end_wiring(FrameContext& frame, const CanvasSight& sight, CanvasWish& wish, const Wiring& wiring);
+    void end_moving_wires(FrameContext& frame, const CanvasSight& sight, const MovingWires& wires);
     void end_cut(FrameContext& frame, const CanvasSight& sight, const Cutting& cut);
 
     Gesture gesture_;

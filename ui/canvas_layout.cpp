@@ -122,6 +122,14 @@ std::vector<NodeId> CanvasLayout::inside(const Box& box) const
     return ids;
 }
 
+std::vector<NodeId> CanvasLayout::inside(const std::vector<glm::vec2>& outline) const
+{
+    std::vector<NodeId> ids;
+    for (std::size_t index : by_id_)
+        if (encloses(outline, nodes_[index].box.centre())) ids.push_back(nodes_[index].node->id);
+    return ids;
+}
+
 const CanvasWire* CanvasLayout::wire_through(NodeId id) const
 {
     const CanvasNode* node = find(id);

@@ -54,7 +54,8 @@ public:
 
     // `reach`: how near is near enough, of pins and of wires.
     Hover at(glm::vec2 p, float pin_reach, float wire_reach) const;
-    std::vector<graph::NodeId> inside(const Box& box) const;  // nodes it touches
+    std::vector<graph::NodeId> inside(const Box& box) const;                         // nodes it touches
+    std::vector<graph::NodeId> inside(const std::vector<glm::vec2>& outline) const;  // nodes with their middle in it
     // The wire that passes through a node, without being one of its own.
     const CanvasWire* wire_through(graph::NodeId node) const;
 

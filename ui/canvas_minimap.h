@@ -11,10 +11,13 @@ class Minimap {
 public:
     // Of the pane that `space` fills. Hidden when the pane is small or there is nothing to show.
     void place(const CanvasLayout& layout, const CanvasSpace& space, const Theme& theme);
+    // The most it takes of the lower right corner.
+    static glm::vec2 room_px(glm::vec2 pane_px, const Theme& theme);
     bool shown() const { return shown_; }
     const Box& box_px() const { return box_px_; }
-    void paint(ImDrawList& list, const CanvasLayout& layout, const CanvasSpace& space,
-               const Selection& selection) const;
+    // Fainter while nodes lie under it and the mouse is elsewhere.
+    void paint(ImDrawList& list, const CanvasLayout& layout, const CanvasSpace& space, const Selection& selection,
+               glm::vec2 mouse_px) const;
     glm::vec2 canvas(glm::vec2 screen_px) const { return (screen_px - origin_px_) / scale_; }
 
 private:

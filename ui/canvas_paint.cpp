@@ -62,6 +62,7 @@ void Canvas::paint_wires(CanvasPainter& painter, const FrameContext& frame, cons
 {
     const Wiring* wiring = hands_.doing<Wiring>();
     const MovingNodes* move = hands_.doing<MovingNodes>();
+    const MovingWires* moved = hands_.doing<MovingWires>();
     const Selection& selection = frame.view.selection;
     for (const CanvasWire& wire : layout.wires()) {
         InputName input{wire.target, std::string(wire.socket)};
@@ -69,6 +70,7 @@ void Canvas::paint_wires(CanvasPainter& painter, const FrameContext& frame, cons
             selection.contains(wire.source) || selection.contains(wire.target) ? WireLook::selected : WireLook::plain;
         bool replaced = wiring && wiring->reason.empty() && wiring->target == input;
         if (wiring && wiring->detached == input) continue;
+        if (moved && moved->from == wire.source) continue;
         if (wiring) look = replaced ? WireLook::faint : WireLook::plain;
         bool inserts = move && move->inserts && move->over == input;
         bool hovered = hands_.resting() && hover.kind == Hover::Kind::wire && hover.node == wire.target &&
@@ -119,7 +121,9 @@ void Canvas::paint_gesture(CanvasPainter& painter, const CanvasLayout& layout)
 {
     if (const BoxSelecting* box = hands_.doing<BoxSelecting>(); box && box->moved)
         painter.selection_box(box_between(box->from, box->to));
+    if (const LassoSelecting* lasso = hands_.doing<LassoSelecting>()) painter.lasso(lasso->points);
     if (const Cutting* cut = hands_.doing<Cutting>()) painter.cut_stroke(cut->points);
+    if (const MovingWires* moved = hands_.doing<MovingWires>()) paint_moving_wires(painter, layout, *moved);
     const Wiring* wiring = hands_.doing<Wiring>();
     if (!wiring) return;
     const graph::LooseEnd& end = wiring->targets.end();
@@ -130,6 +134,15 @@ void Canvas::paint_gesture(CanvasPainter& painter, const CanvasLayout& layout)
     painter.wire(curve, kind_at(layout, end), wiring->reason.empty() ? WireLook::selected : WireLook::faint);
 }
 
+void Canvas::paint_moving_wires(CanvasPainter& painter, const CanvasLayout& layout, const MovingWires& moved)
+{
+    bool fits = moved.target && moved.reason.empty();
+    glm::vec2 from = fits ? loose_end_pin(layout, {moved.target, ""}) : moved.to;
+    for (const InputName& input : moved.inputs)
+        painter.wire(wire_curve(from, loose_end_pin(layout, {input.node, input.socket})),
+                     kind_at(layout, {moved.from, ""}), moved.reason.empty() ? WireLook::selected : WireLook::faint);
+}
+
 // Why a wire does not fit at once; names of things after a while.
 void Canvas::tooltip(const FrameContext& frame, const CanvasLayout& layout, const Hover& hover)
 {
@@ -137,6 +150,8 @@ void Canvas::tooltip(const FrameContext& frame, const CanvasLayout& layout, cons
     last_hover_ = hover;
     if (const Wiring* wiring = hands_.doing<Wiring>(); wiring && !wiring->reason.empty())
         show_tooltip(frame.theme, graph::as_sentence(wiring->reason), colour::warning);
+    if (const MovingWires* moved = hands_.doing<MovingWires>(); moved && !moved->reason.empty())
+        show_tooltip(frame.theme, graph::as_sentence(moved->reason), colour::warning);
     const CanvasNode* node = layout.find(hover.node);
     if (!hands_.resting() || !node) return;
     auto problems = problems_by_node(frame.readings.problems);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float title_size = 16, label_size = 14;  // canvas px
 constexpr float node_rounding = 5, pin_size = 5;
-constexpr float readable_px = 13;  // titles do not get smaller when the canvas does
+constexpr float readable_px = 13;  // words do not get smaller while their row has room for them
 constexpr const char* ellipsis = "\xe2\x80\xa6";
 
 ImVec2 im(glm::vec2 v) { return {v.x, v.y}; }
@@ -206,11 +206,16 @@ void CanvasPainter::header(const CanvasNode& node, const NodeLook& look, const B
          node_title(*node.node, node.type), right - left, true);
 }
 
+float CanvasPainter::label_px() const
+{
+    return std::max(px(label_size), std::min(theme_.px(readable_px), px(node_row - 6)));
+}
+
 void CanvasPainter::row(const CanvasNode& node, std::size_t row)
 {
     glm::vec2 pin_px = space_.screen(node.input_pin(row));
     std::string label = socket_label(node.type, node.input_name(row));
-    float size = px(label_size), left = pin_px.x + px(12), room = px(node_width - 24);
+    float size = label_px(), left = pin_px.x + px(12), room = px(node_width - 24);
     text({left, pin_px.y - 0.5f * size}, size, colour::quiet_text, label, room);
     if (node.type && !node.node->input(node.input_name(row)))
         row_value(node, row, left + std::min(text_width(size, label), room) + px(8), pin_px.y);
@@ -222,14 +227,16 @@ void CanvasPainter::row_value(const CanvasNode& node, std::size_t row, float lef
     const graph::Parameter* parameter = node.type->parameter(node.input_name(row));
     const graph::Value* value = parameter ? node.node->parameter(parameter->name) : nullptr;
     if (!value) return;
-    float right = space_.screen(node.box.high).x - px(10), size = px(label_size);
+    float right = space_.screen(node.box.high).x - px(10), size = label_px();
     if (parameter->kind == graph::ParameterKind::colour && std::holds_alternative<glm::vec3>(*value)) {
         list_.AddRectFilled(im({right - px(28), middle_px - px(7)}), im({right, middle_px + px(7)}),
                             swatch_colour(std::get<glm::vec3>(*value)), px(3));
         return;
     }
     std::string words = value_text(*parameter, *value);
-    float width = std::min(text_width(size, words), right - left_px);
+    float width = text_width(size, words), room = right - left_px;
+    if (width > room && !std::holds_alternative<std::string>(*value)) return;  // half a number is another number
+    width = std::min(width, room);
     text({right - width, middle_px - 0.5f * size}, size, text_colour(node), words, width + 1);
 }
 
@@ -288,6 +295,15 @@ void CanvasPainter::selection_box(const Box& box)
     Box box_px = space_.screen(box);
     list_.AddRectFilled(im(box_px.low), im(box_px.high), colour::with_alpha(colour::accent, 0.1f));
     list_.AddRect(im(box_px.low), im(box_px.high), colour::with_alpha(colour::accent, 0.8f), 0, 0, theme_.px(1));
+}
+
+// The way back to the start is fainter: the hand has not drawn it.
+void CanvasPainter::lasso(const std::vector<glm::vec2>& points)
+{
+    list_.AddLine(im(space_.screen(points.back())), im(space_.screen(points.front())),
+                  colour::with_alpha(colour::accent, 0.4f), theme_.px(1));
+    for (glm::vec2 point : points) list_.PathLineTo(im(space_.screen(point)));
+    list_.PathStroke(colour::with_alpha(colour::accent, 0.8f), 0, theme_.px(1.5f));
 }
 
 void CanvasPainter::cut_stroke(const std::vector<glm::vec2>& points)

@@ -42,6 +42,7 @@ public:
     // `alpha`: below 1 for nodes that a wire in the hand cannot go to.
     void pin(glm::vec2 at, graph::SocketKind kind, bool wired, PinLook look);
     void selection_box(const Box& box);
+    void lasso(const std::vector<glm::vec2>& points);
     void cut_stroke(const std::vector<glm::vec2>& points);
 
     // Font size in screen px; clipped with an ellipsis to `width_px`. True when nothing had to be left out.
@@ -50,6 +51,7 @@ public:
     float text_width(float size_px, std::string_view text, bool heading = false) const;
 
 private:
+    float label_px() const;
     float px(float canvas) const { return canvas * space_.scale; }
     void shadow(const Box& box_px, float rounding);
     void outline(const Box& box_px, const NodeLook& look, float rounding);

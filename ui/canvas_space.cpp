@@ -7,7 +7,7 @@
 namespace fieldwright::ui {
 namespace {
 
-constexpr float glide_s = 0.13f, frame_margin = 40, opening_zoom = 0.65f;
+constexpr float glide_s = 0.13f, frame_margin = 40, opening_zoom = 0.9f;
 
 }  // namespace
 
@@ -29,16 +29,23 @@ CanvasView view_of(const Box& box, glm::vec2 pane_px, float display_scale)
     return view;
 }
 
-CanvasView opening_view(const Box& graph, const Box& end, glm::vec2 pane_px, float display_scale)
+CanvasView opening_view(const Opening& opening, glm::vec2 pane_px, float display_scale)
 {
-    CanvasView view = view_of(graph, pane_px, display_scale);
+    CanvasView view = view_of(opening.graph, pane_px, display_scale);
     if (view.zoom >= opening_zoom) return view;
     view.zoom = opening_zoom;
     float scale = opening_zoom * display_scale, margin = frame_margin * display_scale;
-    glm::vec2 half = (0.5f * pane_px - margin) / scale, low = graph.low + half, high = graph.high - half;
-    glm::vec2 middle = graph.centre();
+    glm::vec2 half = (0.5f * pane_px - margin) / scale;
+    glm::vec2 low = opening.graph.low + half, high = opening.graph.high - half, middle = opening.graph.centre();
     if (low.x < high.x) middle.x = high.x;
-    if (low.y < high.y) middle.y = std::clamp(end.centre().y, low.y, high.y);
+    if (low.y < high.y) middle.y = std::clamp(opening.end.centre().y, low.y, high.y);
+    if (glm::vec2 room = opening.corner_px / scale; room.y > 0) {
+        float lowest = middle.y;
+        for (const Box& node : opening.nodes)
+            if (node.high.x > opening.graph.high.x - room.x) lowest = std::max(lowest, node.high.y);
+        // What stands last comes above the corner, unless its end would leave at the top.
+        middle.y = std::max(middle.y, std::min(lowest - half.y + room.y, opening.end.low.y + half.y));
+    }
     view.pan_px = 0.5f * pane_px - scale * middle;
     return view;
 }

@@ -5,6 +5,7 @@
 #include "ui/view_state.h"
 
 #include <optional>
+#include <vector>
 
 namespace fieldwright::ui {
 
@@ -27,8 +28,14 @@ void zoom_about(CanvasView& view, glm::vec2 at_px, float notches);
 // A view that shows a box whole, never larger than zoom 1.
 CanvasView view_of(const Box& box, glm::vec2 pane_px, float display_scale);
 
-// The view a graph is opened with: whole while titles can be read then, else the part that leads to its `end`.
-CanvasView opening_view(const Box& graph, const Box& end, glm::vec2 pane_px, float display_scale);
+// What the view depends on that a graph is opened with.
+struct Opening {
+    Box graph, end;  // around all nodes, and the one they lead to
+    std::vector<Box> nodes;
+    glm::vec2 corner_px{0, 0};  // of the pane, lower right: other things lie there
+};
+// Whole while every word can be read then, else the part that leads to the end.
+CanvasView opening_view(const Opening& opening, glm::vec2 pane_px, float display_scale);
 
 // The way from one view to another, 130 ms long.
 class CanvasGlide {

@@ -1,4 +1,4 @@
-// What lies on the canvas as widgets: the field that renames a node, the first steps of an empty scene, and menus.
+// What lies on the canvas as widgets: the field that renames a node, and menus.
 #include "ui/canvas.h"
 
 #include "ui/canvas_edits.h"
@@ -47,15 +47,6 @@ bool menu_item(FrameContext& frame, const char* name, const char* title, const c
     bool chosen = ImGui::MenuItem(title, shortcut.c_str());
     frame.rects.mark(std::string("canvas/menu/") + name);
     return chosen;
-}
-
-void centred_text(const char* words, ImU32 colour)
-{
-    float room = ImGui::GetWindowWidth(), width = ImGui::CalcTextSize(words).x;
-    ImGui::SetCursorPosX(std::max(0.5f * (room - width), 0.0f));
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(words);
-    ImGui::PopStyleColor();
 }
 
 void remove_selected(FrameContext& frame)
@@ -113,38 +104,6 @@ void Canvas::rename_field(FrameContext& frame, const CanvasLayout& layout)
     if (!given_up && rename_.text != node->node->name)
         frame.draft.done(step, graph::rename_node(frame.draft.document, rename_.node, rename_.text));
     rename_ = {};
-}
-
-// How to begin.
-void Canvas::empty_state(FrameContext& frame)
-{
-    const Theme& theme = frame.theme;
-    ImVec2 room = ImGui::GetWindowSize();
-    float button_width = theme.px(140), height = theme.px(28);
-    ImGui::SetCursorPosY(std::max(0.5f * room.y - theme.px(60), theme.px(8)));
-    ImGui::PushFont(theme.fonts.heading);
-    centred_text("Nothing here yet", colour::text);
-    ImGui::PopFont();
-    centred_text("A scene is made of nodes: shapes, and what is done to them, wired to an output.", colour::quiet_text);
-    centred_text("Press space or right-click here to add one, or begin with:", colour::quiet_text);
-    ImGui::Dummy({0, theme.px(4)});
-    float gap = ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SetCursorPosX(std::max(0.5f * (room.x - 3 * button_width - 2 * gap), 0.0f));
-    glm::vec2 middle = space_.canvas(space_.pane_px().centre()) - 0.5f * glm::vec2(node_width, node_header);
-    auto add_shape = [&](const char* type) {
-        add_and_show(frame, *frame.draft.library.type(type), {.position = middle});
-    };
-    bool sphere = ImGui::Button("Add a sphere", {button_width, height});
-    frame.rects.mark("canvas/empty/sphere");
-    ImGui::SameLine();
-    bool box = ImGui::Button("Add a box", {button_width, height});
-    frame.rects.mark("canvas/empty/box");
-    ImGui::SameLine();
-    bool menu = ImGui::Button("See all nodes…", {button_width, height});
-    frame.rects.mark("canvas/empty/menu");
-    if (sphere) add_shape("sphere");
-    if (box) add_shape("box");
-    if (menu) add_menu_.open({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y}, {.position = middle});
 }
 
 void Canvas::node_menu(FrameContext& frame)

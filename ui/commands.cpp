@@ -105,6 +105,13 @@ std::string first_shortcut_text(const Command& command)
     return command.shortcuts.empty() ? std::string() : shortcut_text(command.shortcuts.front());
 }
 
+std::string with_shortcut(std::string tip, std::string_view command_id)
+{
+    const Command* command = find_command(command_id);
+    std::string shortcut = command ? first_shortcut_text(*command) : "";
+    return shortcut.empty() ? tip : tip + " (" + shortcut + ")";
+}
+
 const Command* pressed_command(std::span<const Command> list, Scope over)
 {
     for (const Command& command : list)

@@ -59,6 +59,8 @@ const Command* find_command(std::span<const Command> list, std::string_view id);
 const Command* find_command(std::string_view id);
 std::string shortcut_text(const Shortcut& shortcut);      // "Ctrl+Shift+Z"; empty for no key
 std::string first_shortcut_text(const Command& command);  // empty when it has none
+// "Undo (Ctrl+Z)": the tooltip of a button that does what a fixed command does.
+std::string with_shortcut(std::string tip, std::string_view command_id);
 // The command of a shortcut that is pressed in this frame, with the mouse over `over`; null when there is none.
 const Command* pressed_command(std::span<const Command> list, Scope over);
 

@@ -37,6 +37,16 @@ void append_recent(std::vector<Command>& list, const Readings& readings)
                     .run = [](CommandContext& context) { ask(context, ForgetRecent{}); }});
 }
 
+void append_examples(std::vector<Command>& list, const Readings& readings)
+{
+    for (const Example& example : readings.examples)
+        list.push_back({.id = "file.example." + example.name,
+                        .title = example.title,
+                        .menu = "File/Open example",
+                        .help = example.sentence,
+                        .run = [name = example.name](CommandContext& context) { ask(context, OpenExample{name}); }});
+}
+
 void append_export(std::vector<Command>& list, const Readings& readings)
 {
     bool first = true;
@@ -116,6 +126,7 @@ void append_file_commands(std::vector<Command>& list, const Readings& readings)
 {
     append_open(list);
     append_recent(list, readings);
+    append_examples(list, readings);
     append_save(list);
     append_export(list, readings);
     list.push_back({.id = "file.quit",

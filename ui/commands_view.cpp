@@ -3,6 +3,7 @@
 #include "ui/commands.h"
 #include "ui/keys.h"
 #include "ui/viewport.h"
+#include "ui/workspaces.h"
 
 namespace fieldwright::ui {
 namespace {
@@ -172,6 +173,17 @@ void append_panels(std::vector<Command>& list)
                             }});
 }
 
+void append_workspaces(std::vector<Command>& list)
+{
+    for (const Workspace& workspace : workspaces())
+        list.push_back({.id = std::string("workspace.") + workspace.id,
+                        .title = workspace.title,
+                        .menu = "View/Workspace",
+                        .help = workspace.help,
+                        .checked = [=](const CommandContext& context) { return workspace.holds(context.frame.view); },
+                        .run = [=](CommandContext& context) { workspace.arrange(context.frame.view); }});
+}
+
 // A switch kept in the view state.
 Command toggle(const char* id, const char* title, const char* help, bool ViewState::*member)
 {
@@ -196,6 +208,7 @@ void append_view_commands(std::vector<Command>& list, const Readings& readings)
          .checked = [](const CommandContext& context) { return context.frame.view.panes.shown; },
          .run = [](CommandContext& context) { context.frame.view.panes.shown = !context.frame.view.panes.shown; }});
     append_panels(list);
+    append_workspaces(list);
     append_framing(list);
     append_eye(list);
     append_choice(list, readings.view_names, view_words, "view.show.", "View/Picture", &ViewState::view);

@@ -4,25 +4,9 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace fieldwright::ui {
 namespace {
-
-std::string grouped(std::int64_t number)
-{
-    std::string digits = std::to_string(number);
-    for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > 0; place -= 3)
-        digits.insert(static_cast<std::size_t>(place), ",");
-    return digits;
-}
-
-std::string with_decimals(double value, int decimals, const char* after)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f%s", decimals, value, after);
-    return text;
-}
 
 void scene_cost(FrameContext& frame)
 {
@@ -31,16 +15,16 @@ void scene_cost(FrameContext& frame)
     float share = static_cast<float>(cost) / static_cast<float>(limit);
     section(frame, "Scene");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.theme.padding(), 0));
-    fact_row(frame, "Cost", grouped(cost) + " of " + grouped(limit),
+    fact_row(frame, "Cost", grouped_text(cost) + " of " + grouped_text(limit),
              "Primitives that one look at the field evaluates, copies of repetitions included. A scene above the limit "
              "is not drawn.");
     to_field_column(frame);
     share_bar(frame, share, share > 1 ? colour::error : share > 0.75f ? colour::warning : colour::rgb(0x6f89a8));
     frame.rects.mark("panel/cost/bar");
     ImGui::Dummy({0, frame.theme.gap()});
-    fact_row(frame, "Nodes", grouped(static_cast<std::int64_t>(frame.draft.document.root.nodes.size())));
+    fact_row(frame, "Nodes", grouped_text(static_cast<std::int64_t>(frame.draft.document.root.nodes.size())));
     if (program)
-        fact_row(frame, "Step budget", grouped(program->step_budget) + " steps per pixel",
+        fact_row(frame, "Step budget", grouped_text(program->step_budget) + " steps per pixel",
                  "Steps that all rays of a pixel may take together; loops in the scene make it smaller.");
     ImGui::PopStyleVar();
 }
@@ -54,12 +38,12 @@ void picture_cost(FrameContext& frame)
         return;
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.theme.padding(), 0));
-    fact_row(frame, "Draw time", with_decimals(picture.draw_ms, picture.draw_ms < 10 ? 1 : 0, " ms"));
+    fact_row(frame, "Draw time", duration_text(picture.draw_ms));
     fact_row(frame, "Size", std::to_string(picture.width) + " × " + std::to_string(picture.height) + " px");
-    fact_row(frame, "Mean steps", with_decimals(picture.mean_steps, 1, ""), "Of the rays from the eye.");
+    fact_row(frame, "Mean steps", rounded_text(picture.mean_steps), "Of the rays from the eye.");
     fact_row(frame, "Most steps",
-             std::to_string(picture.max_steps) + " of " + std::to_string(frame.draft.document.march.step_limit));
-    fact_row(frame, "Out of steps", with_decimals(100 * picture.exhausted_share, 2, " % of pixels"),
+             grouped_text(picture.max_steps) + " of " + grouped_text(frame.draft.document.march.step_limit));
+    fact_row(frame, "Out of steps", percent_text(picture.exhausted_share) + " of pixels",
              "Rays that reached the step limit before a surface. Raise the limit in the scene's settings, or look at "
              "the heatmap for where it happens.");
     if (!picture.device.empty()) fact_row(frame, "Drawn by", picture.device);

@@ -2,6 +2,7 @@
 #include "ui/dialogs.h"
 
 #include "ui/dialog_frame.h"
+#include "ui/widgets.h"
 
 #include <imgui.h>
 
@@ -10,6 +11,7 @@ namespace {
 
 // A save that has not made the scene clean by then has failed or was cancelled.
 constexpr int frames_for_saving = 10;
+constexpr float recovery_buttons = 208;  // design px, with the space before them
 
 const char* verb_for(const Request& request)
 {
@@ -38,7 +40,8 @@ bool loses_changes(const Request& request)
 {
     if (const auto* choose = std::get_if<ChooseFile>(&request)) return choose->then == ChooseFile::Then::open;
     return std::holds_alternative<NewScene>(request) || std::holds_alternative<OpenFile>(request) ||
-           std::holds_alternative<Recover>(request) || std::holds_alternative<Quit>(request);
+           std::holds_alternative<OpenExample>(request) || std::holds_alternative<Recover>(request) ||
+           std::holds_alternative<Quit>(request);
 }
 
 void Dialogs::hold_back(std::vector<Request>& requests, const Readings& readings, bool choosing_file)
@@ -139,7 +142,7 @@ void Dialogs::draw_overwrite(FrameContext& frame)
 void Dialogs::draw_recovery(FrameContext& frame)
 {
     bool wanted = !frame.readings.recovered.empty() && !recovery_put_off_ && !asking();
-    if (!begin_dialog("recovery", wanted, frame.theme, 520)) return;
+    if (!begin_dialog("recovery", wanted, frame.theme, 580)) return;
     heading(frame.theme, "Recover unsaved work?");
     wrapped_quiet("The program ended without saving. These copies were kept.");
     for (const Recovered& recovered : frame.readings.recovered) draw_recovered(frame, recovered);
@@ -155,7 +158,9 @@ void Dialogs::draw_recovered(FrameContext& frame, const Recovered& recovered)
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {frame.theme.padding(), frame.theme.px(7)});  // as the buttons
     ImGui::AlignTextToFramePadding();
     ImGui::PopStyleVar();
-    ImGui::TextUnformatted(recovered.title.c_str());
+    float room = ImGui::GetContentRegionAvail().x - frame.theme.px(recovery_buttons);
+    float when = ImGui::CalcTextSize(recovered.when.c_str()).x + ImGui::GetStyle().ItemSpacing.x;
+    ImGui::TextUnformatted(fitted(recovered.title, room - when).c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("%s", recovered.when.c_str());
     ImGui::SameLine();

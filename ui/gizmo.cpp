@@ -41,10 +41,10 @@ float distance_to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b)
 
 glm::vec3 snapped(glm::vec3 way) { return snap_m * glm::round(way / snap_m); }
 
-std::optional<glm::vec3> offset_of(const graph::Document& document, graph::NodeId translate)
+std::optional<glm::vec3> point_of(const graph::Document& document, graph::NodeId id, std::string_view parameter)
 {
-    const graph::Node* node = document.root.find(translate);
-    const graph::Value* value = node ? node->parameter(known_types::translate_offset) : nullptr;
+    const graph::Node* node = document.root.find(id);
+    const graph::Value* value = node ? node->parameter(parameter) : nullptr;
     const auto* offset = value ? std::get_if<glm::vec3>(value) : nullptr;
     return offset ? std::optional(*offset) : std::nullopt;
 }
@@ -106,6 +106,7 @@ void TranslateGizmo::place(FrameContext& frame, const ViewCamera& eye, glm::vec2
     found_in_ = frame.readings.program;
     found_for_ = active;
     found_at_s_ = frame.readings.time_s;
+    found_through_camera_ = frame.view.through_camera;
 }
 
 void TranslateGizmo::hide()
@@ -118,7 +119,7 @@ void TranslateGizmo::hide()
 bool TranslateGizmo::is_found(const FrameContext& frame, graph::NodeId active) const
 {
     return found_in_ && found_in_ == frame.readings.program && found_for_ == active &&
-           found_at_s_ == frame.readings.time_s;
+           found_at_s_ == frame.readings.time_s && found_through_camera_ == frame.view.through_camera;
 }
 
 std::optional<TranslateGizmo::Stand> TranslateGizmo::find(const FrameContext& frame, graph::NodeId active) const
@@ -126,12 +127,27 @@ std::optional<TranslateGizmo::Stand> TranslateGizmo::find(const FrameContext& fr
     const graph::Node* node = frame.draft.document.root.find(active);
     const graph::NodeType* type = node ? frame.draft.library.type(node->type) : nullptr;
     if (!type || type->category == "output") return std::nullopt;
+    if (std::optional<Stand> stand = stand_on_point(frame, *node, *type)) return stand;
     for (graph::NodeId id : graph::own_way(frame.draft.document, frame.draft.library, active))
         if (std::optional<Stand> stand = stand_at(frame, id)) {
             stand->active = active;
             return stand;
         }
     return std::nullopt;
+}
+
+// Of lamps where they are, of cameras what they look at; not of the camera that the picture is seen by.
+std::optional<TranslateGizmo::Stand> TranslateGizmo::stand_on_point(const FrameContext& frame, const graph::Node& node,
+                                                                    const graph::NodeType& type) const
+{
+    bool lamp = type.category == "light", camera = type.category == "camera";
+    if ((!lamp && !camera) || node.muted || (camera && frame.view.through_camera)) return std::nullopt;
+    std::string_view parameter = lamp ? known_types::light_position : known_types::camera_target;
+    std::optional<glm::vec3> point = point_of(frame.draft.document, node.id, parameter);
+    if (!point || node.input(parameter)) return std::nullopt;
+    Stand stand{node.id, node.id, node.id, parameter, {}, *point};
+    if (camera) stand.seen_from = point_of(frame.draft.document, node.id, known_types::camera_position);
+    return stand;
 }
 
 std::optional<TranslateGizmo::Stand> TranslateGizmo::stand_at(const FrameContext& frame, graph::NodeId node) const
@@ -141,11 +157,12 @@ std::optional<TranslateGizmo::Stand> TranslateGizmo::stand_at(const FrameContext
     graph::NodeId translate = graph::nearest_translate(document, library, node), anchor = translate ? translate : node;
     std::optional<Placement> place = placement(document, library, anchor);
     if (!place) return std::nullopt;
-    glm::vec3 middle = offset_of(document, translate).value_or(glm::vec3(0));
+    std::string_view parameter = known_types::translate_offset;
+    glm::vec3 middle = point_of(document, translate, parameter).value_or(glm::vec3(0));
     auto box = frame.readings.bounds_of ? frame.readings.bounds_of(anchor) : std::nullopt;
     for (int axis = 0; box && axis < 3; ++axis)
         if (box->half_size[axis] < 0.5f * unbounded) middle[axis] = box->centre[axis];
-    return Stand{{}, node, translate, *place, place->world_from_node(middle)};
+    return Stand{{}, node, translate, parameter, *place, place->world_from_node(middle)};
 }
 
 float TranslateGizmo::metres() const
@@ -207,10 +224,9 @@ void TranslateGizmo::move(FrameContext& frame, glm::vec3 way)
     glm::vec3 offset = grip_->offset_before + glm::inverse(stand_->place.linear) * way;
     offset = glm::clamp(offset, glm::vec3(-farthest_m), glm::vec3(farthest_m));
     stand_->origin = grip_->origin + stand_->place.linear * (offset - grip_->offset_before);
-    if (offset == offset_of(document, stand_->translate)) return;
-    frame.draft.done(
-        step_name(frame.draft, stand_->active),
-        graph::set_parameter(document, frame.draft.library, stand_->translate, known_types::translate_offset, offset));
+    if (offset == point_of(document, stand_->mover, stand_->parameter)) return;
+    frame.draft.done(step_name(frame.draft, stand_->active),
+                     graph::set_parameter(document, frame.draft.library, stand_->mover, stand_->parameter, offset));
 }
 
 // The translate to be moved: inserted by the first move. False when it cannot be.
@@ -218,14 +234,14 @@ bool TranslateGizmo::give_translate(FrameContext& frame)
 {
     graph::Document& document = frame.draft.document;
     if (!grip_->before) grip_->before = document;
-    if (!stand_->translate) {
+    if (!stand_->mover) {
         graph::Placed placed = graph::insert_translate(document, frame.draft.library, stand_->node);
         if (!frame.draft.done(step_name(frame.draft, stand_->active), placed.refusal)) return let_go(), false;
-        stand_->translate = placed.node;
-    } else if (auto offset = offset_of(*grip_->before, stand_->translate)) {
+        stand_->mover = placed.node;
+    } else if (auto offset = point_of(*grip_->before, stand_->mover, stand_->parameter)) {
         grip_->offset_before = *offset;
     }
-    if (offset_of(document, stand_->translate)) return true;
+    if (point_of(document, stand_->mover, stand_->parameter)) return true;
     let_go();  // it was deleted under the hand
     return false;
 }
@@ -253,6 +269,8 @@ void TranslateGizmo::draw(ImDrawList& list, glm::vec2 pane_low, Handle hot, Fram
             glm::vec2 way = 4000.0f * glm::normalize(*end - *centre);
             list.AddLine(im(from - way), im(from + way), colour::with_alpha(colour::hot, 0.35f), theme.px(1));
         }
+    auto eye = stand_->seen_from ? eye_.project(*stand_->seen_from, pane_size_px_) : std::nullopt;
+    if (eye) list.AddLine(im(pane_low + *eye), im(from), colour::with_alpha(colour::text, 0.6f), theme.px(1));
     for (Handle handle : arrows) {
         auto end = tip(handle);
         if (!end) continue;

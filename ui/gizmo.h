@@ -1,4 +1,5 @@
-// The translate gizmo: arrows along the world's axes that move the active node's surface by a translate node.
+// The translate gizmo: arrows along the world's axes that move the active node's surface by a translate node, or a
+// lamp, or what a camera looks at.
 #pragma once
 
 #include "ui/frame_context.h"
@@ -41,9 +42,11 @@ public:
 private:
     struct Stand {
         graph::NodeId active;
-        graph::NodeId node, translate;  // no translate: the first move inserts one after the node
-        Placement place;                // of the translate's output, or of the node's while there is none
-        glm::vec3 origin;               // world, m
+        graph::NodeId node, mover;                // no mover: the first move inserts a translate after the node
+        std::string_view parameter;               // of the mover, m
+        Placement place;                          // of the mover's output, or of the node's while there is none
+        glm::vec3 origin;                         // world, m
+        std::optional<glm::vec3> seen_from = {};  // of a camera
     };
     struct Grip {
         Handle handle;
@@ -57,6 +60,8 @@ private:
     bool is_found(const FrameContext& frame, graph::NodeId active) const;
     std::optional<Stand> find(const FrameContext& frame, graph::NodeId active) const;
     std::optional<Stand> stand_at(const FrameContext& frame, graph::NodeId node) const;
+    std::optional<Stand> stand_on_point(const FrameContext& frame, const graph::Node& node,
+                                        const graph::NodeType& type) const;
     std::optional<glm::vec3> held(Handle handle, glm::vec3 origin, glm::vec2 at_px) const;
     void move(FrameContext& frame, glm::vec3 way);
     bool give_translate(FrameContext& frame);
@@ -73,6 +78,7 @@ private:
     std::shared_ptr<const graph::Program> found_in_;
     graph::NodeId found_for_;
     double found_at_s_ = 0;
+    bool found_through_camera_ = false;
 };
 
 }  // namespace fieldwright::ui

@@ -1,4 +1,5 @@
 // History: the named steps, the present one marked; a click jumps.
+#include "ui/commands.h"
 #include "ui/panel_pages.h"
 #include "ui/widgets.h"
 
@@ -50,11 +51,13 @@ void draw_history_panel(FrameContext& frame)
     const Readings& readings = frame.readings;
     ImGui::BeginDisabled(readings.step == 0);
     if (text_button(frame, "undo", std::string(icon::undo) + "  Undo")) frame.requests.push_back(Undo{});
+    tooltip(frame, with_shortcut("Go one step back", "edit.undo"));
     ImGui::EndDisabled();
     frame.rects.mark("panel/history/undo");
     ImGui::SameLine(0, frame.theme.gap());
     ImGui::BeginDisabled(readings.step + 1 >= readings.step_names.size());
     if (text_button(frame, "redo", std::string(icon::redo) + "  Redo")) frame.requests.push_back(Redo{});
+    tooltip(frame, with_shortcut("Do the next step again", "edit.redo"));
     ImGui::EndDisabled();
     frame.rects.mark("panel/history/redo");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));

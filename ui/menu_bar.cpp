@@ -2,6 +2,8 @@
 #include "ui/menu_bar.h"
 
 #include "ui/keys.h"
+#include "ui/widgets.h"
+#include "ui/workspaces.h"
 
 #include "graph/words.h"
 
@@ -181,6 +183,33 @@ void MenuBar::draw_title(float left_px, float right_px) const
     frame.rects.mark("menu/title", {{at.x, at.y}, {std::min(at.x + width, right_px), at.y + theme.row()}});
 }
 
+// Side by side up to `right_px`; where they begin.
+float MenuBar::draw_workspaces(float right_px)
+{
+    FrameContext& frame = context_->frame;
+    const Theme& theme = frame.theme;
+    float inset = theme.px(10), width = theme.px(16), window = ImGui::GetWindowPos().x;
+    for (const Workspace& workspace : workspaces()) width += text_width(workspace.title) + 2 * inset;
+    if (ImGui::GetWindowWidth() < theme.px(1000)) return right_px;
+    float x = std::floor(right_px - width);
+    float left = x, top = ImGui::GetWindowPos().y + theme.px(2), height = theme.menu_bar() - theme.px(4);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const Workspace& workspace : workspaces()) {
+        float wide = text_width(workspace.title) + 2 * inset;
+        ImGui::SetCursorPos({x - window, theme.px(2)});
+        if (ImGui::InvisibleButton(workspace.id, {wide, height})) chosen_ = std::string("workspace.") + workspace.id;
+        frame.rects.mark(std::string("menu/workspace/") + workspace.id);
+        bool holds = workspace.holds(frame.view), hovered = ImGui::IsItemHovered();
+        if (holds || hovered)
+            list.AddRectFilled({x, top}, {x + wide, top + height}, holds ? colour::chosen : colour::field, theme.px(4));
+        list.AddText({x + inset, top + std::floor(0.5f * (height - ImGui::GetFontSize()))},
+                     holds || hovered ? colour::text : colour::quiet_text, workspace.title);
+        if (hovered) frame.view.hint = workspace.help;
+        x += wide;
+    }
+    return left;
+}
+
 // At the right end, while there is room; where it begins.
 float MenuBar::draw_palette_button()
 {
@@ -196,8 +225,9 @@ float MenuBar::draw_palette_button()
     if (ImGui::Button((text + "##palette").c_str(), {width - theme.gap(), theme.menu_bar()})) chosen_ = palette->id;
     ImGui::PopStyleColor(2);
     context_->frame.rects.mark("menu/palette");
+    tooltip(context_->frame, with_shortcut("Find a command", palette->id));
     if (ImGui::IsItemHovered()) context_->frame.view.hint = palette->help;
-    return right - width;
+    return draw_workspaces(right - width);
 }
 
 }  // namespace fieldwright::ui

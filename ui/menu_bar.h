@@ -23,6 +23,7 @@ private:
     void draw_separator() const;
     void draw_title(float left_px, float right_px) const;
     float draw_palette_button();
+    float draw_workspaces(float right_px);
 
     // Of the frame being drawn.
     const CommandContext* context_ = nullptr;

@@ -47,6 +47,17 @@ glm::vec2 node_size(std::size_t input_count)
     return {node_width, node_header + (input_count ? rows + node_foot : 0)};
 }
 
+bool encloses(const std::vector<glm::vec2>& outline, glm::vec2 p)
+{
+    bool inside = false;
+    for (std::size_t i = 0, before = outline.size() - 1; i < outline.size(); before = i++) {
+        glm::vec2 a = outline[before], b = outline[i];
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+    return inside;
+}
+
 glm::vec2 node_size(const graph::NodeType& type) { return node_size(type.inputs.size()); }
 
 glm::vec2 node_size(const graph::Node& node, const graph::NodeType* type)

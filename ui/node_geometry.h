@@ -6,6 +6,7 @@
 #include "graph/library.h"
 
 #include <array>
+#include <vector>
 
 namespace fieldwright::ui {
 
@@ -24,6 +25,7 @@ struct Box {
     Box with(const Box& other) const { return {glm::min(low, other.low), glm::max(high, other.high)}; }
 };
 Box box_between(glm::vec2 one, glm::vec2 other);
+bool encloses(const std::vector<glm::vec2>& outline, glm::vec2 p);  // closed; even-odd where it crosses itself
 
 glm::vec2 node_size(std::size_t input_count);
 glm::vec2 node_size(const graph::NodeType& type);

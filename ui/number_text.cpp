@@ -1,9 +1,12 @@
 // Formatting and reading numbers.
 #include "ui/number_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 
 namespace fieldwright::ui {
 namespace {
@@ -77,6 +80,36 @@ std::string number_text(double value, int decimals)
             return std::string(shown);
         }
     }
+}
+
+std::string grouped_text(std::int64_t number)
+{
+    std::string digits = std::to_string(number);
+    auto first = number < 0 ? std::ptrdiff_t{1} : 0;
+    for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > first; place -= 3)
+        digits.insert(static_cast<std::size_t>(place), ",");
+    return digits;
+}
+
+std::string rounded_text(double value)
+{
+    constexpr int digits = 3, most_places = 6;
+    if (std::abs(value) >= 999.5) return grouped_text(std::llround(value));
+    char text[48];
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);  // rounds: 9.996 has one place less than 9.99
+    int exponent = std::atoi(std::strchr(text, 'e') + 1);
+    if (value == 0 || exponent < -most_places) return "0";
+    std::snprintf(text, sizeof text, "%.*f", std::clamp(digits - 1 - exponent, 0, most_places), value);
+    return text;
+}
+
+std::string duration_text(double ms) { return ms < 999.5 ? rounded_text(ms) + " ms" : rounded_text(ms / 1000) + " s"; }
+
+std::string percent_text(double share)
+{
+    constexpr double least = 0.01;  // percent
+    double percent = 100 * share;
+    return (percent > 0 && percent < least ? "< " + number_text(least, 2) : rounded_text(percent)) + " %";
 }
 
 std::string exact_text(double value)

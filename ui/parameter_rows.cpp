@@ -2,6 +2,7 @@
 #include "ui/parameter_rows.h"
 
 #include "ui/colour_field.h"
+#include "ui/commands.h"
 #include "ui/node_words.h"
 #include "ui/number_field.h"
 #include "ui/number_text.h"
@@ -345,7 +346,8 @@ void node_name_field(FrameContext& frame, std::string_view path, const graph::No
 void mute_button(FrameContext& frame, std::string_view path, const graph::Node& node)
 {
     const char* shown = node.muted ? icon::eye_off : icon::eye;
-    std::string_view tip = node.muted ? "Muted: click to unmute" : "Mute: the scene is drawn without this node (M)";
+    std::string tip = node.muted ? "Muted: click to unmute"
+                                 : with_shortcut("Mute: the scene is drawn without this node", "edit.mute");
     bool pressed = icon_button(frame, "mute", shown, tip, node.muted ? colour::warning : colour::quiet_text);
     frame.rects.mark(path);
     if (!pressed) return;

@@ -37,6 +37,11 @@ struct RecentFile {
     bool missing = false;
 };
 
+struct Example {  // a scene that is built into the program
+    std::string name, title, sentence;
+    ImTextureID picture = nullptr;  // 16 : 9
+};
+
 struct Recovered {  // an autosave that a crash left behind
     std::string id, title, when;
 };
@@ -68,7 +73,8 @@ struct Readings {
     std::string overwrite_warning;  // why else to ask before saving to that file
     std::vector<RecentFile> recent;
     std::vector<Recovered> recovered;
-    bool dialog_open = false;  // a native file dialog is up; the window waits for nothing
+    std::vector<Example> examples;  // the best to begin with first
+    bool dialog_open = false;       // a native file dialog is up; the window waits for nothing
 
     std::string status;    // last outcome worth saying: "Saved first.scene.json"
     int status_count = 0;  // of outcomes said: the same may be said again

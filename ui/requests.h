@@ -13,6 +13,9 @@ struct NewScene {};
 struct OpenFile {
     std::string path;
 };
+struct OpenExample {  // as a scene without a file
+    std::string name;
+};
 struct SaveFile {};  // to where it came from
 struct SaveFileAs {
     std::string path;
@@ -42,7 +45,7 @@ struct DiscardRecovered {
 };
 struct Quit {};
 
-using Request = std::variant<NewScene, OpenFile, SaveFile, SaveFileAs, ExportFile, ExportPicture, ChooseFile,
-                             ForgetRecent, Undo, Redo, JumpTo, Recover, DiscardRecovered, Quit>;
+using Request = std::variant<NewScene, OpenFile, OpenExample, SaveFile, SaveFileAs, ExportFile, ExportPicture,
+                             ChooseFile, ForgetRecent, Undo, Redo, JumpTo, Recover, DiscardRecovered, Quit>;
 
 }  // namespace fieldwright::ui

@@ -60,8 +60,8 @@ void Viewport::place_handles(FrameContext& frame)
     glm::vec2 inset = frame.theme.px(axes_inset_px) * glm::vec2(1, 1);
     if (axes_shown_) axes_.place({pane_.high.x - inset.x, pane_.low.y + inset.y}, *eye, frame.theme);
     bool with_gizmo = eye && frame.view.gizmo;
-    if (with_gizmo) gizmo_.place(frame, *eye, size);
-    else gizmo_.hide();
+    if (with_gizmo) gizmo_.place(frame, *eye, size), sun_.place(frame, *eye, size);
+    else gizmo_.hide(), sun_.hide();
 }
 
 void Viewport::hands(FrameContext& frame)
@@ -76,6 +76,7 @@ void Viewport::hands(FrameContext& frame)
     hovered_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     if (!grab_) {
         hot_axes_ = on_picture_ && axes_shown_ && axes_.contains(pane_.low + mouse_);
+        hot_sun_ = on_picture_ && !hot_axes_ && sun_.is_under(mouse_, frame.theme);
         hot_ = on_picture_ && !hot_axes_ ? gizmo_.handle_at(mouse_, frame.theme) : Handle::none;
     }
     if (ImGui::IsItemActivated()) press(ImGui::GetCurrentContext()->ActiveIdMouseButton);
@@ -98,19 +99,20 @@ void Viewport::press(int button)
     Grab::On on = Grab::On::picture;
     if (button == 0 && hot_axes_) on = Grab::On::axes, turn = Turn::orbit;
     if (button == 0 && hot_ != Handle::none) on = Grab::On::handle, gizmo_.grab(hot_, mouse_);
+    if (button == 0 && hot_sun_) on = Grab::On::sun, sun_.grab(mouse_);
     grab_ = Grab{on, turn, button, mouse_, mouse_};
 }
 
 void Viewport::drag(FrameContext& frame)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    if (grab_->on == Grab::On::handle && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
-        gizmo_.cancel(frame);
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) gizmo_.cancel(frame), sun_.cancel(frame);
     if (!grab_->moved && glm::distance(mouse_, grab_->from) <= click_px * scale_) return;
     grab_->moved = true;
     glm::vec2 way = mouse_ - grab_->last;
     grab_->last = mouse_;
     if (grab_->on == Grab::On::handle) gizmo_.drag(frame, {mouse_, io.KeyCtrl, io.KeyShift});
+    else if (grab_->on == Grab::On::sun) sun_.drag(frame, {mouse_, io.KeyCtrl, io.KeyShift});
     else if (way != glm::vec2(0)) turn_eye(frame, grab_->turn, way);
 }
 
@@ -119,6 +121,7 @@ void Viewport::release(FrameContext& frame)
     Grab grab = *grab_;
     grab_.reset();
     gizmo_.let_go();
+    sun_.let_go();
     if (grab.moved || grab.button != 0 || !has_mouse_) return;  // without a mouse: the window lost it
     if (grab.on == Grab::On::picture) choose_node(frame, grab.from);
     if (grab.on != Grab::On::axes) return;
@@ -168,6 +171,7 @@ std::string Viewport::hint(const FrameContext& frame) const
     if (!on_picture_ && !grab_) return "";
     if (hot_ == Handle::centre) return "Drag to move in the plane of the view. Ctrl snaps to 0.1 m, Shift is fine.";
     if (hot_ != Handle::none) return "Drag to move along this axis. Ctrl snaps to 0.1 m, Shift is fine.";
+    if (hot_sun_) return "Drag to turn the sun. Ctrl snaps to 5°, Shift is fine.";
     if (hot_axes_) return "Drag to orbit, click a ball to look along its axis.";
     if (grab_) return "";
     const graph::Node* node = frame.draft.document.root.find(node_under(frame, mouse_));
@@ -183,6 +187,7 @@ void Viewport::draw_handles(FrameContext& frame)
     list.PushClipRect(im(pane_.low), im(pane_.high), true);
     Handle held = gizmo_.grabbed();
     gizmo_.draw(list, pane_.low, held == Handle::none ? hot_ : held, frame);
+    sun_.draw(list, pane_.low, hot_sun_, frame);
     if (axes_shown_) axes_.draw(list, pane_.low + mouse_, hot_axes_, frame);
     list.PopClipRect();
 }

@@ -4,6 +4,7 @@
 #include "ui/axis_gizmo.h"
 #include "ui/frame_context.h"
 #include "ui/gizmo.h"
+#include "ui/sun_handle.h"
 
 namespace fieldwright::ui {
 
@@ -37,7 +38,7 @@ private:
     };
     // A mouse button that went down here and is still held.
     struct Grab {
-        enum class On { picture, axes, handle } on;
+        enum class On { picture, axes, handle, sun } on;
         Turn turn;
         int button;
         glm::vec2 from, last;  // px of the pane
@@ -71,10 +72,11 @@ private:
     bool has_mouse_ = false;
     bool hovered_ = false, on_picture_ = false;
     TranslateGizmo gizmo_;
+    SunHandle sun_;
     AxisGizmo axes_;
     bool axes_shown_ = false;
     TranslateGizmo::Handle hot_ = TranslateGizmo::Handle::none;
-    bool hot_axes_ = false;
+    bool hot_axes_ = false, hot_sun_ = false;
     std::optional<Grab> grab_;
     std::optional<Motion> motion_;
     bool perspective_before_axis_view_ = false;

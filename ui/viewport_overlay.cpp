@@ -2,7 +2,9 @@
 #include "ui/viewport_overlay.h"
 
 #include "ui/commands.h"
+#include "ui/number_text.h"
 #include "ui/viewport.h"
+#include "ui/widgets.h"
 
 #include <imgui_internal.h>
 
@@ -56,10 +58,7 @@ public:
 
 void tooltip(std::string text, std::string_view command_id)
 {
-    if (!ImGui::IsItemHovered() || ImGui::GetCurrentContext()->HoveredIdTimer < 0.4f) return;
-    const Command* command = find_command(command_id);
-    if (command && !command->shortcuts.empty()) text += "  (" + shortcut_text(command->shortcuts.front()) + ")";
-    ImGui::SetTooltip("%s", text.c_str());
+    if (mouse_rests()) ImGui::SetTooltip("%s", with_shortcut(std::move(text), command_id).c_str());
 }
 
 // A button that is on or off.
@@ -128,14 +127,6 @@ void draw_time(FrameContext& frame)
     tooltip("Time of the scene", "");
 }
 
-std::string duration_text(float ms)
-{
-    char text[32];
-    if (ms >= 1000) std::snprintf(text, sizeof text, "%.1f s", static_cast<double>(ms) / 1000);
-    else std::snprintf(text, sizeof text, ms < 10 ? "%.1f ms" : "%.0f ms", static_cast<double>(ms));
-    return text;
-}
-
 struct Ink {
     ImDrawList& list;
     ImFont& font;
@@ -186,10 +177,8 @@ ImU32 heatmap(float share)
 
 std::string statistics_text(const PictureReading& picture)
 {
-    char steps[96];
-    std::snprintf(steps, sizeof steps, " · %.0f steps mean, %d max · %.1f %% out of steps",
-                  static_cast<double>(picture.mean_steps), picture.max_steps,
-                  static_cast<double>(100 * picture.exhausted_share));
+    std::string steps = " · " + rounded_text(picture.mean_steps) + " steps mean, " + grouped_text(picture.max_steps) +
+                        " max · " + percent_text(picture.exhausted_share) + " out of steps";
     return short_statistics_text(picture) + steps;
 }
 

@@ -76,9 +76,18 @@ void paragraph(std::string_view text, ImU32 tint)
     ImGui::PopStyleColor();
 }
 
+// Dear ImGui's own clock starts again in every frame for what lies on top of something else.
+bool mouse_rests()
+{
+    ImGuiID clock = ImHashStr("rests", 0, ImGui::GetItemID());  // the item keeps what it remembers under its own id
+    float& hovered_s = *ImGui::GetStateStorage()->GetFloatRef(clock, 0);
+    hovered_s = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) ? hovered_s + ImGui::GetIO().DeltaTime : 0;
+    return hovered_s > rest_s;
+}
+
 void tooltip(const FrameContext& frame, std::string_view text)
 {
-    if (text.empty() || !ImGui::IsItemHovered() || GImGui->HoveredIdTimer < rest_s || ImGui::IsAnyItemActive()) return;
+    if (!mouse_rests() || text.empty() || ImGui::IsAnyItemActive()) return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(frame.theme.px(10), frame.theme.px(8)));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(frame.theme.px(320));

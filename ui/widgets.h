@@ -20,6 +20,7 @@ std::string fitted(std::string_view text, float width_px);
 // Text in a row of its own height, cut to what is left of the line; the whole is its tooltip when cut.
 void line_text(const FrameContext& frame, std::string_view text, ImU32 tint = colour::text, float width_px = 0);
 void paragraph(std::string_view text, ImU32 tint = colour::quiet_text);  // wrapped
+bool mouse_rests();                                                      // on the last item; ask in every frame
 // Of the last item, once the mouse rests on it.
 void tooltip(const FrameContext& frame, std::string_view text);
 
