@@ -19,7 +19,8 @@ int export_scene(const ExportArguments& arguments, const Session& session)
     require_place(arguments.output);
     auto library = session.library();
     graph::Document document = open_document(arguments.scene, *library);
-    graph::Program program = graph::lower(document, library, {.ids = false});  // no export shows them
+    // No export shows ids, and all are read by people.
+    graph::Program program = graph::lower(document, library, {.ids = false, .fold_moves = false});
     report_problems(program, document);
     std::vector<float> block = field::evaluate_frame(program, arguments.scene.time);
     graph::save_atomically(arguments.output, codegen::print_export(program, document, block, arguments.target));

@@ -1,5 +1,6 @@
 // `nodes`: every node type of the library, as a table or as JSON.
 #include "app/commands.h"
+#include "app/node_pages.h"
 
 #include <charconv>
 #include <iomanip>
@@ -87,6 +88,7 @@ Json type_json(const NodeType& type)
     json["parameters"] = Json::array();
     for (const graph::Parameter& parameter : type.parameters) json["parameters"].push_back(parameter_json(parameter));
     json["compiled"] = type.compiled;
+    json["thumbnail"] = node_page_stem(type) + ".png";  // in the folder of `--pages`
     return json;
 }
 
@@ -111,12 +113,20 @@ void print_table(const graph::Library& library)
 
 void add_nodes(CLI::App& parser, Session& session)
 {
-    auto json = std::make_shared<bool>(false);
+    struct Arguments {
+        bool json = false;
+        std::filesystem::path pages;
+    };
+    auto arguments = std::make_shared<Arguments>();
     CLI::App& command = *parser.add_subcommand("nodes", "List every node type");
-    command.add_flag("--json", *json, "Print JSON: sockets, parameters, ranges, help");
-    command.callback([json, &session] {
-        session.action = [json, &session] {
-            (*json ? print_json : print_table)(*session.library());
+    CLI::Option* json = command.add_flag("--json", arguments->json, "Print JSON: sockets, parameters, ranges, help");
+    command.add_option("--pages", arguments->pages, "Write a page and a thumbnail of every type into a folder instead")
+        ->excludes(json);
+    command.callback([arguments, &session] {
+        session.action = [arguments, &session] {
+            auto library = session.library();
+            if (!arguments->pages.empty()) write_node_pages(library, arguments->pages);
+            else (arguments->json ? print_json : print_table)(*library);
             return 0;
         };
     });

@@ -66,7 +66,8 @@ struct NodeType {
     Quality quality_outside = Quality::exact, quality_inside = Quality::exact;
     float approximate_step = 1;  // S of `approximate S`: the field is divided by 1/S
     Scaling scaling = Scaling::none;
-    int copies = 1;  // of a block (`// copies: N`)
+    int copies = 1;       // of a block (`// copies: N`)
+    bool affine = false;  // `_point` is an affine map of p (`// point: affine`)
     std::vector<Parameter> parameters;
     std::vector<Socket> inputs;  // field inputs first, then one per wireable parameter
     SocketKind output = SocketKind::none;

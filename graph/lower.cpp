@@ -16,6 +16,7 @@ Lowering::Lowering(const Document& document, std::shared_ptr<const Library> libr
     resolve_types();
     count_uses();
     origin_ = builder_.constant(ProgramBuilder::vec3_type(), std::array{0.0f, 0.0f, 0.0f});
+    corners_ = {origin_, no_value, no_value, no_value};
 }
 
 Program Lowering::lower()

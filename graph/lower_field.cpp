@@ -276,6 +276,11 @@ Lowering::Context Lowering::inner_context(int index, Context context, std::strin
     const Function* point = type.function("point_" + std::string(socket));
     if (!point) point = type.function("point");
     if (!point) return context;
+    if (options_.fold_moves && moves_affinely(index)) {
+        contexts_.push_back({no_value, contexts_[static_cast<std::size_t>(context)].cell, index, context});
+        plane_points_.push_back(no_value);
+        return static_cast<Context>(contexts_.size() - 1);
+    }
     return new_context(call_function(index, *point, context, {}), contexts_[static_cast<std::size_t>(context)].cell);
 }
 

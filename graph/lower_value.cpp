@@ -81,7 +81,7 @@ ValueId Lowering::argument(int index, const Argument& argument, Context context,
 ValueId Lowering::point_argument(int, const Type& type, Context context)
 {
     if (context < 0) return origin_;
-    ValueId point = contexts_[static_cast<std::size_t>(context)].point;
+    ValueId point = point_of(context);
     if (builder_.type(point).base == type.base) return point;
     ValueId& converted = plane_points_[static_cast<std::size_t>(context)];
     if (converted == no_value)

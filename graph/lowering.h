@@ -1,5 +1,5 @@
-// The walk behind lower(): one object per lowering. lower.cpp: entries; lower_field.cpp: fields, values, Lipschitz
-// constants and bounds.
+// The walk behind lower(): one object per lowering. lower.cpp: entries; lower_field.cpp: fields; lower_moves.cpp: the
+// points that chains of affine nodes see; lower_value.cpp: values, Lipschitz constants and bounds.
 #pragma once
 
 #include "graph/program_builder.h"
@@ -15,12 +15,15 @@ public:
     Program lower();
 
 private:
+    using Context = std::int32_t;  // index into contexts_
+
     // Where a field or value is evaluated: the point and the cell of the nearest repeat on the way.
     struct Place {
-        ValueId point;
+        ValueId point;  // no_value: not asked for yet; then the node `mover` moves the point of `before`
         ValueId cell;
+        int mover = -1;
+        Context before = -1;
     };
-    using Context = std::int32_t;  // index into contexts_
 
     // What a field node gives at a context. The surface part is filled in the surface entry only.
     struct FieldValue {
@@ -77,6 +80,9 @@ private:
     ValueId shows_b(int index, Context context, const Bindings& sides, ValueId weight);
     std::vector<int> chain_leaves(int index);
     Context inner_context(int index, Context context, std::string_view socket);
+    bool moves_affinely(int index);
+    ValueId point_of(Context context);
+    ValueId moved_by_chain(Context before, std::span<const int> movers);
     bool spend(int index);
 
     // Calls and their arguments.
@@ -112,6 +118,7 @@ private:
     std::vector<int> uses_;               // by node index: wires that leave it
     std::vector<Problem> problems_;
 
+    std::array<ValueId, 4> corners_{};  // the origin and the ends of the unit vectors, when moves are folded
     ValueId origin_ = no_value, uv_ = no_value, direction_ = no_value;
     ValueId default_material_ = no_value, no_id_ = no_value;
 

@@ -107,6 +107,9 @@ private:
         } else if (key == "copies") {
             type_.copies = std::atoi(std::string(value).c_str());
             if (type_.copies < 1 || type_.copies > 64) fail(line, "`copies` is a whole number from 1 to 64");
+        } else if (key == "point") {
+            if (value != "affine") fail(line, "`point` is `affine`");
+            type_.affine = true;
         } else if (key == "combiner") {
             if (value != "hard" && value != "hard associative")
                 fail(line, "`combiner` is `hard` or `hard associative`");

@@ -96,6 +96,8 @@ struct LowerOptions {
     // Whether surfaces know their node and material id. Without, both are 0 everywhere, and of combiners only those
     // are left in the surface entry whose sides differ in material: the shader is ready sooner.
     bool ids = true;
+    // Whether chains of affine nodes become one matrix. Without, every node's own function is called: exports are read.
+    bool fold_moves = true;
 };
 
 // Pure; never throws for a valid document. Problems' nodes count as unconnected.

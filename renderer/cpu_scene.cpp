@@ -90,6 +90,7 @@ CpuScene::CpuScene(const graph::Program& program, const FrameRequest& frame_requ
       probe_done("probe_done", table),
       probe_missed("probe_missed", table),
       probe_normal("probe_normal", table),
+      ambient_direction("ambient_direction", table),
       shade_ambient("shade_ambient", table),
       shade_light("shade_light", table)
 {

@@ -31,7 +31,7 @@ struct CpuScene {
     Rows march, budget, eye, interaxial, convergence;  // constants, spread over a row
     std::optional<Rows> view_camera;                   // when the request has one
     RowFunction view_ray, stereo_ray, eye_probe, shadow_probe, probe_point, advance, probe_done, probe_missed,
-        probe_normal, shade_ambient, shade_light;
+        probe_normal, ambient_direction, shade_ambient, shade_light;
 };
 
 }  // namespace fieldwright::renderer

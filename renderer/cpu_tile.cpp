@@ -240,12 +240,14 @@ void TileRenderer::shade_hits(Pixels pixels)
     const StructureLanes& lanes = scene_.lanes;
     int count = size(pixels);
     Rows position = gathered(position_, pixels), normal = gathered(normal_, pixels),
-         view = gathered(direction_, pixels);
-    for (int k = 0; k < 3; ++k) std::transform(view.lane(k), view.lane(k) + count, view.lane(k), std::negate<float>());
+         direction = gathered(direction_, pixels), view(3);
+    for (int k = 0; k < 3; ++k)
+        std::transform(direction.lane(k), direction.lane(k) + count, view.lane(k), std::negate<float>());
 
-    Rows surface(lanes.material + 2), sky(3), colour(3), light(lanes.light), contribution(3), visibility(1);
+    Rows surface(lanes.material + 2), look(3), sky(3), colour(3), light(lanes.light), contribution(3), visibility(1);
     surface_(surface, position, count);
-    sky_(sky, normal, count);
+    scene_.ambient_direction(look, count, surface, normal, direction);
+    sky_(sky, look, count);
     scene_.shade_ambient(colour, count, surface, sky, gathered(eyes_, lanes.probe_openness, 1, pixels));
     for (std::size_t index = 0; index < lights_.size(); ++index) {
         bool shadowed = static_cast<int>(index) < scene_.shadow_count;

@@ -38,13 +38,16 @@ Pixel trace_pixel(Ray ray, March march, int step_budget, int ray_count)
     }
 
     Pixel pixel;
-    pixel.colour = scene_sky(hit ? normal : ray.direction);
-    pixel.node_id = 0.0;
-    pixel.material_id = 0.0;
+    Surface surface;
+    vec3 look = ray.direction;
     if (hit) {
-        Surface surface = scene_surface(position);
-        pixel.node_id = surface.node_id;
-        pixel.material_id = surface.material_id;
+        surface = scene_surface(position);
+        look = ambient_direction(surface.material, normal, ray.direction);
+    }
+    pixel.colour = scene_sky(look);
+    pixel.node_id = hit ? surface.node_id : 0.0;
+    pixel.material_id = hit ? surface.material_id : 0.0;
+    if (hit) {
         pixel.colour = shade_ambient(surface.material, pixel.colour, seen.openness);
         for (int index = 0; index < LIGHT_COUNT; index++) {
             bool visible = index >= SHADOW_COUNT || (lit & (1 << index)) != 0;

@@ -18,12 +18,7 @@ float larger_lipschitz(float a, float b)
 
 Material default_material()
 {
-    Material material;
-    material.albedo = vec3(0.62f, 0.62f, 0.62f);
-    material.specular = vec3(0.04f, 0.04f, 0.04f);
-    material.shininess = 32.0f;
-    material.emission = vec3(0.0f);
-    return material;
+    return make_material(vec3(0.62f, 0.62f, 0.62f), vec3(0.04f, 0.04f, 0.04f), 32.0f, vec3(0.0f));
 }
 
 // Weight 0 is all a, 1 is all b.
@@ -34,6 +29,8 @@ Material mix_material(Material a, Material b, float weight)
     material.specular = mix(a.specular, b.specular, weight);
     material.shininess = mix(a.shininess, b.shininess, weight);
     material.emission = mix(a.emission, b.emission, weight);
+    material.roughness = mix(a.roughness, b.roughness, weight);
+    material.microfacet = mix(a.microfacet, b.microfacet, weight);
     return material;
 }
 
@@ -57,6 +54,17 @@ vec2 splat_vec2(float x)
 vec3 splat_vec3(float x)
 {
     return vec3(x, x, x);
+}
+
+vec3 way_between(vec3 from, vec3 to)
+{
+    return to - from;
+}
+
+// Where a chain of affine nodes takes a point that takes the origin and the unit vectors there.
+vec3 moved_point(vec3 p, vec3 origin, vec3 x, vec3 y, vec3 z)
+{
+    return origin + p.x * x + p.y * y + p.z * z;
 }
 
 // A 2D field shown on its own: its plane is z = 0.

@@ -5,11 +5,15 @@ struct Box {
     vec3 half_size;
 };
 
+// specular: what is mirrored straight on. The highlight is Phong's, of that shininess, or that of microfacets of that
+// roughness, or between them: microfacet is 0, 1, or in a blend between.
 struct Material {
     vec3 albedo;
     vec3 specular;
     float shininess;
     vec3 emission;
+    float roughness;
+    float microfacet;
 };
 
 // direction points from the surface to the light; range is the way to it.
@@ -43,6 +47,19 @@ struct Surface {
 };
 
 const float UNBOUNDED = 1.0e6f;
+
+// With Phong's highlight.
+Material make_material(vec3 albedo, vec3 specular, float shininess, vec3 emission)
+{
+    Material material;
+    material.albedo = albedo;
+    material.specular = specular;
+    material.shininess = shininess;
+    material.emission = emission;
+    material.roughness = 1.0f;
+    material.microfacet = 0.0f;
+    return material;
+}
 
 Box make_box(vec3 centre, vec3 half_size)
 {

@@ -1,4 +1,5 @@
 // Every node type through the command line, and a file dropped into a node folder.
+#include "app/node_pages.h"
 #include "app/scene_arguments.h"
 #include "app/starter_scene.h"
 #include "graph/scene_file.h"
@@ -102,6 +103,24 @@ TEST_F(LibraryWalk, every_number_can_be_set_to_both_ends_of_its_range)
                 EXPECT_EQ(graph::validate(scene.document, *library), std::nullopt);
             }
         }
+}
+
+TEST(NodeReference, has_the_page_and_picture_of_every_type_as_its_file_stands)
+{
+    std::filesystem::path folder = source_folder() / "docs/nodes";
+    auto library = graph::Library::embedded();
+    EXPECT_EQ(read_text(folder / "README.md"), app::node_index(*library)) << "run ./dev docs";
+    std::size_t pages = 0;
+    for (const graph::NodeType* type : library->types()) {
+        std::string stem = (folder / app::node_page_stem(*type)).string();
+        EXPECT_EQ(read_text(stem + ".md"), app::node_page(*type)) << type->name << ": run ./dev docs";
+        EXPECT_TRUE(std::filesystem::exists(stem + ".png")) << type->name << ": run ./dev docs";
+        ++pages;
+    }
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        files += entry.is_regular_file() ? 1 : 0;
+    EXPECT_EQ(files, 2 * pages + 1) << "pages of types that are gone; remove them";
 }
 
 TEST_F(LibraryWalk, a_file_dropped_into_a_node_folder_is_a_new_node)

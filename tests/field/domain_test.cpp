@@ -64,6 +64,44 @@ TEST(Domain, rotates_about_any_axis_by_the_right_hand)
                       [&](vec3 p) { return box_at(turned(p, -70, axis)); });
 }
 
+// Calls of the distance entry at every point.
+std::size_t calls(const graph::Program& program)
+{
+    return static_cast<std::size_t>(program.distance.last - program.distance.first);
+}
+
+TEST(Moves, of_a_chain_become_one_that_means_the_same)
+{
+    Scene scene;
+    NodeId top = scene.node("box", {{"half_size", half}});
+    std::size_t movers = 0;
+    for (const graph::NodeType* type : scene.library->types())
+        if (type->affine) top = scene.node(type->name, {{"d", top}}), ++movers;
+    EXPECT_GE(movers, 8u);
+    scene.show(top);
+    Field folded(scene.program({.root = top})), unfolded(scene.program({.root = top, .fold_moves = false}));
+    EXPECT_EQ(calls(folded.program) + movers - 1, calls(unfolded.program));
+    std::vector<vec3> at = places();
+    std::vector<float> expected = unfolded.at(at), found = folded.at(at);
+    for (std::size_t i = 0; i < at.size(); ++i)
+        ASSERT_NEAR(found[i], expected[i], 2e-5f * (1 + glm::length(at[i])))
+            << at[i].x << " " << at[i].y << " " << at[i].z;
+}
+
+TEST(Moves, that_differ_from_point_to_point_are_left_alone)
+{
+    Scene scene;
+    NodeId place = scene.node("position");
+    NodeId inner = scene.node("translate", {{"d", scene.node("box")}, {"offset", place}});
+    NodeId outer = scene.node("translate", {{"d", inner}});
+    scene.show(outer);
+    std::size_t moves = 0;
+    graph::Program program = scene.program({.root = outer});
+    for (std::int32_t i = program.distance.first; i < program.distance.last; ++i)
+        moves += program.instructions[static_cast<std::size_t>(i)].function->name == "translate_point" ? 1 : 0;
+    EXPECT_EQ(moves, 2u);
+}
+
 TEST(Domain, looks_at_its_target_and_stays_upright)
 {
     vec3 target(1, 2, -0.5f), forward = glm::normalize(target);
@@ -265,7 +303,6 @@ TEST(Modify, clips_keep_what_they_say)
                       [](vec3 p) { return std::max(box_at(p), p.y - 0.1f); });
     expect_everywhere("clip_box", {{"keep", std::string("inside")}, {"centre", vec3(0)}, {"half_size", half}},
                       [](vec3 p) { return box_at(p); });
-    expect_everywhere("bounded", {{"half_size", half}, {"margin", 0.0f}}, [](vec3 p) { return box_at(p); });
 }
 
 // Where the twisted box says little, the guard says how far it is at least.
@@ -274,7 +311,8 @@ TEST(Modify, a_guard_tells_more_about_steep_fields_far_away)
     Scene scene;
     NodeId box = scene.node("box", {{"half_size", half}});
     NodeId twist = scene.node("twist", {{"d", box}, {"turn", 300.0f}});
-    NodeId guarded = scene.node("bounded", {{"d", twist}, {"half_size", vec3(0.5f)}, {"margin", 0.1f}});
+    NodeId guard = scene.node("box", {{"half_size", vec3(0.5f)}});
+    NodeId guarded = scene.node("bounded", {{"a", twist}, {"b", guard}, {"margin", 0.1f}});
     vec3 far(4, 0, 0);
     EXPECT_LT(distances(scene, twist, {far})[0], 2.5f);
     EXPECT_NEAR(distances(scene, guarded, {far})[0], 3.4f, 1e-5f);

@@ -90,14 +90,20 @@ const std::map<std::string, Make>& scenes()
             else if (type->category == "domain" || type->category == "modify") made[type->name] = applied(name);
         }
         made["revolve"] = [](Scene& s) { return wired(s, "revolve", s.node("rectangle")); };
+        for (const char* convert : {"extrude_tapered", "extrude_twisted", "revolve_partial"})
+            made[convert] = [convert](Scene& s) { return wired(s, convert, s.node("rectangle")); };
+        made["sweep"] = [](Scene& s) {
+            return wired(s, "sweep", s.node("rectangle", {{"half_size", glm::vec2(0.2f, 0.08f)}}));
+        };
+        made["project"] = [](Scene& s) { return wired(s, "extrude", wired(s, "project", s.node("torus_knot"))); };
         made["slice"] = [](Scene& s) { return wired(s, "extrude", wired(s, "slice", s.node("torus"))); };
         // What shows only where something is cut, or cuts.
         made["nested_shells"] = [](Scene& s) {
             return wired(s, "clip_plane", wired(s, "nested_shells", s.node("box")));
         };
         made["bounded"] = [](Scene& s) {
-            return wired(s, "bounded",
-                         wired(s, "repeat", s.node("sphere", {{"radius", 0.2f}}), {{"spacing", vec3(0.45f)}}));
+            NodeId balls = wired(s, "repeat", s.node("sphere", {{"radius", 0.2f}}), {{"spacing", vec3(0.45f)}});
+            return both(s, "bounded", balls, s.node("box"));
         };
         made["invert"] = [](Scene& s) {
             return both(s, "intersect", s.node("sphere", {{"radius", 0.65f}}), wired(s, "invert", s.node("box")));

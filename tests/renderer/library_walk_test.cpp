@@ -5,7 +5,9 @@
 #include "tests/support/starter.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace fieldwright::tests {
@@ -226,12 +228,66 @@ TEST(LibraryWalk, no_field_is_steeper_than_its_file_says)
 {
     for (const NodeType* type : field_types())
         for (int number = 0; number < 25; ++number) {
+            if (type->quality_outside == graph::Quality::approximate) continue;  // marched finely instead, below
             Starter starter = variant(*type, number);
             Random random(static_cast<std::uint64_t>(number) + 5);
             bool outside_only = type->quality_inside == graph::Quality::approximate;
             Slope slope = steepest_slope(own_field(starter), outside_only, random);
             EXPECT_LE(slope.steepest, 1.0001f) << type->name << " variant " << number << " " << slope.where;
         }
+}
+
+// How far rays from all sides get before the field is below the tolerance, in steps of that share of the distance;
+// infinite for those that pass.
+std::vector<float> marched(const Field& field, const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& along,
+                           float share)
+{
+    constexpr float tolerance = 1e-3f, end = 8;
+    std::vector<float> t(from.size(), 0), reached(from.size(), std::numeric_limits<float>::infinity());
+    std::vector<std::size_t> going(from.size());
+    std::iota(going.begin(), going.end(), std::size_t{0});
+    for (int step = 0; step < 20000 && !going.empty(); ++step) {
+        std::vector<glm::vec3> points;
+        for (std::size_t ray : going) points.push_back(from[ray] + t[ray] * along[ray]);
+        std::vector<float> distances = field.at(points);
+        std::vector<std::size_t> left;
+        for (std::size_t i = 0; i < going.size(); ++i) {
+            std::size_t ray = going[i];
+            if (distances[i] < tolerance) reached[ray] = t[ray];
+            else if ((t[ray] += share * distances[i]) < end) left.push_back(ray);
+        }
+        going = left;
+    }
+    return reached;
+}
+
+TEST(LibraryWalk, rays_stop_at_approximate_fields_where_sixteenths_of_their_steps_do)
+{
+    int walked = 0;
+    for (const NodeType* type : field_types()) {
+        if (type->quality_outside != graph::Quality::approximate) continue;
+        ++walked;
+        for (int number = 0; number < 3; ++number) {
+            Field field = own_field(variant(*type, number));
+            Random random(static_cast<std::uint64_t>(number) + 31);
+            std::vector<glm::vec3> from, along;
+            for (int ray = 0; ray < 500; ++ray) {
+                from.push_back(4.0f * random.direction());
+                along.push_back(glm::normalize(random.in_cube(0.6f) - from.back()));
+            }
+            std::vector<float> reached = marched(field, from, along, 1),
+                               finely = marched(field, from, along, 1 / 16.0f);
+            int apart = 0, hits = 0;
+            for (std::size_t ray = 0; ray < from.size(); ++ray) {
+                bool both_pass = std::isinf(reached[ray]) && std::isinf(finely[ray]);
+                apart += both_pass || std::abs(reached[ray] - finely[ray]) < 0.02f ? 0 : 1;
+                hits += std::isinf(finely[ray]) ? 0 : 1;
+            }
+            EXPECT_LE(apart, 10) << type->name << " variant " << number << ", " << hits << " rays stop";
+            EXPECT_GT(hits, number == 0 ? 100 : 0) << type->name << " variant " << number;
+        }
+    }
+    EXPECT_GE(walked, 3);
 }
 
 TEST(LibraryWalk, bounds_contain_the_surface)

@@ -1,5 +1,6 @@
 // Look at: Turns a solid so that its z axis points at a target and its y axis stays as upright as it can.
 // field: exact
+// point: affine
 // synonyms: aim, point at, orient, track to, face
 vec3 look_at_forward(vec3 target)
 {

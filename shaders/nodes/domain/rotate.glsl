@@ -1,5 +1,6 @@
 // Rotate: Turns a solid around x, then around y, then around z.
 // field: exact
+// point: affine
 // synonyms: turn, orient, spin, euler
 vec3 rotate_about_x(vec3 v, float angle)
 {

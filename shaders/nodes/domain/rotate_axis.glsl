@@ -1,5 +1,6 @@
 // Rotate about axis: Turns a solid around any axis through the origin.
 // field: exact
+// point: affine
 // synonyms: axis-angle, turn, orient, spin, revolve
 vec3 rotate_axis_unit(vec3 axis)
 {

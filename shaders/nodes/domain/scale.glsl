@@ -1,5 +1,6 @@
 // Scale: Makes a solid larger or smaller, the same along all axes.
 // field: exact
+// point: affine
 // synonyms: size, resize, zoom, enlarge, shrink
 // combiner: hard
 vec3 scale_point(

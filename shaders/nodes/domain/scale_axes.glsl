@@ -1,5 +1,6 @@
 // Scale axes: Makes a solid larger or smaller, differently along x, y and z.
 // field: bound
+// point: affine
 // synonyms: non-uniform scale, stretch, squash, squeeze, flatten
 // combiner: hard
 vec3 scale_axes_point(

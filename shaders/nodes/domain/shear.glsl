@@ -1,5 +1,6 @@
 // Shear: Slants a solid: the higher, the farther it moves sideways.
 // field: bound
+// point: affine
 // synonyms: skew, slant, lean, italic, tilt
 vec3 shear_point(
     vec3 p,

@@ -1,5 +1,6 @@
 // Transform: Scales a solid, then turns it around x, y and z, then moves it.
 // field: exact
+// point: affine
 // synonyms: move rotate scale, placement, pose, trs, matrix
 // combiner: hard
 vec3 transform_about_x(vec3 v, float angle)

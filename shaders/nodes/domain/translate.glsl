@@ -1,5 +1,6 @@
 // Translate: Moves a solid.
 // field: exact
+// point: affine
 // synonyms: move, position, shift, offset, place
 vec3 translate_point(
     vec3 p,

@@ -10,10 +10,5 @@ Material checker_material(
 {
     vec3 cube = floor(p / size + vec3(0.5f));
     float half_sum = 0.5f * (cube.x + cube.y + cube.z);
-    Material material;
-    material.albedo = half_sum - floor(half_sum) < 0.25f ? first : second;
-    material.specular = vec3(specular);
-    material.shininess = shininess;
-    material.emission = vec3(0.0f);
-    return material;
+    return make_material(half_sum - floor(half_sum) < 0.25f ? first : second, vec3(specular), shininess, vec3(0.0f));
 }

@@ -13,10 +13,5 @@ Material dots_material(
     vec3 q = p / size;
     float from_middle = length(q - floor(q + vec3(0.5f)));
     float share = 1.0f - clamp((from_middle - radius) / max(softness, 1.0e-4f) + 0.5f, 0.0f, 1.0f);
-    Material material;
-    material.albedo = mix(first, second, share);
-    material.specular = vec3(specular);
-    material.shininess = shininess;
-    material.emission = vec3(0.0f);
-    return material;
+    return make_material(mix(first, second, share), vec3(specular), shininess, vec3(0.0f));
 }

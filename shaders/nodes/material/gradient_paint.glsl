@@ -13,10 +13,5 @@ Material gradient_paint_material(
     float place = axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
     float span = end - start;
     float share = abs(span) < 1.0e-6f ? (place < start ? 0.0f : 1.0f) : clamp((place - start) / span, 0.0f, 1.0f);
-    Material material;
-    material.albedo = mix(first, second, share);
-    material.specular = vec3(specular);
-    material.shininess = shininess;
-    material.emission = vec3(0.0f);
-    return material;
+    return make_material(mix(first, second, share), vec3(specular), shininess, vec3(0.0f));
 }

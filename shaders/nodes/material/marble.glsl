@@ -61,10 +61,5 @@ Material marble_material(
     float turns = dot(q, unit) + 0.5f * turbulence * wind;
     float from_vein = 2.0f * abs(turns - floor(turns + 0.5f));
     float share = pow(max(1.0f - from_vein, 1.0e-6f), sharpness);
-    Material material;
-    material.albedo = mix(first, second, share);
-    material.specular = vec3(specular);
-    material.shininess = shininess;
-    material.emission = vec3(0.0f);
-    return material;
+    return make_material(mix(first, second, share), vec3(specular), shininess, vec3(0.0f));
 }

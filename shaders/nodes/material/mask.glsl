@@ -8,10 +8,5 @@ Material mask_material(
     float softness)   // 0.1 [0, 1000000] [0, 1]  Width of the border, in the mask's numbers.
 {
     float share = clamp((mask - threshold) / max(softness, 1.0e-6f) + 0.5f, 0.0f, 1.0f);
-    Material material;
-    material.albedo = mix(below.albedo, above.albedo, share);
-    material.specular = mix(below.specular, above.specular, share);
-    material.shininess = mix(below.shininess, above.shininess, share);
-    material.emission = mix(below.emission, above.emission, share);
-    return material;
+    return mix_material(below, above, share);
 }

@@ -54,10 +54,5 @@ Material noise_paint_material(
     float noise = noise_paint_noise(p / size, start);
     noise += 0.5f * noise_paint_noise(p * (2.0f / size) + vec3(0.37f), noise_paint_remainder(start + 97.0f));
     float share = clamp(0.5f + 0.5f * contrast * noise, 0.0f, 1.0f);
-    Material material;
-    material.albedo = mix(first, second, share);
-    material.specular = vec3(specular);
-    material.shininess = shininess;
-    material.emission = vec3(0.0f);
-    return material;
+    return make_material(mix(first, second, share), vec3(specular), shininess, vec3(0.0f));
 }

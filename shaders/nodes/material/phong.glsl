@@ -7,10 +7,5 @@ Material phong_material(
     vec3 glow,        // #ffffff  Colour of the surface's own light.
     float emission)   // 0.0 [0, 1000] [0, 5]  Strength of the surface's own light.
 {
-    Material material;
-    material.albedo = albedo;
-    material.specular = vec3(specular);
-    material.shininess = shininess;
-    material.emission = glow * emission;
-    return material;
+    return make_material(albedo, vec3(specular), shininess, glow * emission);
 }

@@ -16,10 +16,5 @@ Material stripes_material(
     float turns = dot(p, unit) / size;
     float from_middle = abs(turns - floor(turns + 0.5f));
     float share = clamp((from_middle - 0.5f * balance) / max(softness, 1.0e-4f) + 0.5f, 0.0f, 1.0f);
-    Material material;
-    material.albedo = mix(first, second, share);
-    material.specular = vec3(specular);
-    material.shininess = shininess;
-    material.emission = vec3(0.0f);
-    return material;
+    return make_material(mix(first, second, share), vec3(specular), shininess, vec3(0.0f));
 }

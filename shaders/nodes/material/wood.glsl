@@ -61,10 +61,5 @@ Material wood_material(
     float fibres = wood_noise(vec3(12.0f * q.x, q.y, 12.0f * q.z), wood_remainder(start + 97.0f));
     float ring = late * late * clamp((1.0f - late) * 8.0f, 0.0f, 1.0f) * 1.6f;
     float share = clamp(ring + 0.5f * fibre * fibres, 0.0f, 1.0f);
-    Material material;
-    material.albedo = mix(first, second, share);
-    material.specular = vec3(specular);
-    material.shininess = shininess;
-    material.emission = vec3(0.0f);
-    return material;
+    return make_material(mix(first, second, share), vec3(specular), shininess, vec3(0.0f));
 }
