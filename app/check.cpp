@@ -1,6 +1,7 @@
 // `check`: whether a scene file is valid, its problems and what it costs.
 #include "app/commands.h"
 #include "app/scene_arguments.h"
+#include "app/silhouettes.h"
 #include "graph/problem.h"
 
 #include <iostream>
@@ -23,7 +24,7 @@ Json problem_json(const graph::Problem& problem)
 void print_json(const graph::Document& document, const graph::Program& program, bool valid)
 {
     Json problems = Json::array();
-    for (const graph::Problem& problem : program.problems) problems.push_back(problem_json(problem));
+    for (const graph::Problem& problem : problems_of(program, document)) problems.push_back(problem_json(problem));
     std::cout << Json{{"valid", valid},
                       {"problems", problems},
                       {"nodes", document.root.nodes.size()},
@@ -36,7 +37,7 @@ void print_json(const graph::Document& document, const graph::Program& program, 
 void print_lines(const std::filesystem::path& path, const graph::Document& document, const graph::Program& program,
                  bool valid)
 {
-    for (const graph::Problem& problem : program.problems)
+    for (const graph::Problem& problem : problems_of(program, document))
         std::cout << (is_error(problem) ? "error: " : "note: ") << node_label(document, problem.node) << ": "
                   << problem.sentence << "\n";
     std::cout << path.string() << ": " << (valid ? "valid" : "has problems") << ", " << document.root.nodes.size()
@@ -56,7 +57,9 @@ int check(const SceneArguments& arguments, bool json, const Session& session)
     auto library = session.library();
     try {
         graph::Document document = open_document(arguments, *library);
-        graph::Program program = graph::lower(document, library);
+        graph::Program program = lower_scene(arguments, document, library);
+        for (graph::Problem& note : compare_silhouettes(document, library, false).notes)
+            program.problems.push_back(std::move(note));
         bool valid = std::none_of(program.problems.begin(), program.problems.end(), is_error);
         if (json) print_json(document, program, valid);
         else print_lines(arguments.path, document, program, valid);

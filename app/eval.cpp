@@ -115,7 +115,7 @@ int evaluate(const EvalArguments& arguments, const Session& session)
 {
     auto library = session.library();
     graph::Document document = open_document(arguments.scene, *library);
-    graph::Program program = graph::lower(document, library);
+    graph::Program program = lower_scene(arguments.scene, document, library);
     report_problems(program, document);
     Field field(program, arguments);
     Lines lines;

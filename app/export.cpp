@@ -20,8 +20,11 @@ int export_scene(const ExportArguments& arguments, const Session& session)
     auto library = session.library();
     graph::Document document = open_document(arguments.scene, *library);
     // No export shows ids, and all are read by people.
-    graph::Program program = graph::lower(document, library, {.ids = false, .fold_moves = false});
+    graph::Program program =
+        lower_scene(arguments.scene, document, library, {.ids = false, .fold_moves = false});
     report_problems(program, document);
+    if (std::string refusal = codegen::export_refusal(program); !refusal.empty())
+        throw graph::Failure(3, arguments.scene.path.string() + ": " + refusal);
     std::vector<float> block = field::evaluate_frame(program, arguments.scene.time);
     graph::save_atomically(arguments.output, codegen::print_export(program, document, block, arguments.target));
     return 0;

@@ -1,5 +1,6 @@
 // Parses the command line, runs the chosen command and turns every error into one sentence and an exit code.
 #include "app/commands.h"
+#include "app/worker_jobs.h"
 #include "graph/problem.h"
 
 #include <iostream>
@@ -67,6 +68,8 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    if (app::is_worker({argv, static_cast<std::size_t>(argc)}))
+        return app::work({argv, static_cast<std::size_t>(argc)});
     std::ios::sync_with_stdio(false);
     try {
         int code = run(argc, argv);

@@ -1,4 +1,5 @@
 // `new`: a scene file with one node of any type at work in it.
+#include "app/baking.h"
 #include "app/commands.h"
 #include "app/scene_arguments.h"
 #include "app/starter_scene.h"
@@ -22,10 +23,13 @@ int make_scene(const NewArguments& arguments, const Session& session)
         throw graph::Failure(
             2, "--node: there is no node type `" + arguments.node + "`; `fieldwright nodes` lists them all");
     StarterScene scene(library, *type);
+    Baking baking;
+    baking.follow(scene.document, *library);
     for (const std::string& setting : arguments.settings) {
         auto [parameter, value] = split_assignment(setting);
         set_from_text(scene.document, *library, scene.shown(), parameter, value);
     }
+    baking.bake(scene.document, *library);
     scene.compose();
     graph::save_scene(arguments.output, scene.document, *library);
     return 0;

@@ -122,7 +122,7 @@ int render(const RenderArguments& arguments, const Session& session)
     graph::Document document = open_document(arguments.scene, *library);
     graph::LowerOptions options;
     options.ids = renderer::view_from_name(arguments.view) == renderer::View::id;
-    graph::Program program = graph::lower(document, library, options);
+    graph::Program program = lower_scene(arguments.scene, document, library, options);
     report_problems(program, document);
     Drawing drawing(arguments, program);
     renderer::write_png(arguments.output, drawing.draw());

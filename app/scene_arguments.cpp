@@ -1,6 +1,8 @@
 // Reads the scene that a command names and makes the changes of `--set`.
 #include "app/scene_arguments.h"
 
+#include "app/baking.h"
+#include "app/picture_shelf.h"
 #include "graph/edits.h"
 #include "graph/scene_file.h"
 
@@ -96,8 +98,19 @@ void add_time(CLI::App& command, SceneArguments& arguments)
 Document open_document(const SceneArguments& arguments, const Library& library)
 {
     Document document = graph::open_scene(arguments.path, library);
+    Baking baking;
+    baking.follow(document, library);
     for (const std::string& change : arguments.changes) make_change(document, library, change);
+    baking.bake(document, library);
     return document;
+}
+
+graph::Program lower_scene(const SceneArguments& arguments, const Document& document,
+                           const std::shared_ptr<const Library>& library, graph::LowerOptions options)
+{
+    graph::BakedImages images = images_of(document, *library, arguments.path.parent_path());
+    options.images = &images;
+    return graph::lower(document, library, options);
 }
 
 void set_from_text(Document& document, const Library& library, NodeId id, std::string_view name, std::string_view text)
@@ -138,9 +151,16 @@ std::string node_label(const Document& document, NodeId id)
     return label + " \"" + (node->name.empty() ? node->type : node->name) + "\"";
 }
 
+std::vector<graph::Problem> problems_of(const graph::Program& program, const Document& document)
+{
+    std::vector<graph::Problem> problems = program.problems;
+    for (graph::Problem& note : Baking().notes(document, *program.library)) problems.push_back(std::move(note));
+    return problems;
+}
+
 void report_problems(const graph::Program& program, const Document& document)
 {
-    for (const graph::Problem& problem : program.problems)
+    for (const graph::Problem& problem : problems_of(program, document))
         std::cerr << "warning: " << node_label(document, problem.node) << ": " << problem.sentence << "\n";
 }
 

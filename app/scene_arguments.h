@@ -19,6 +19,9 @@ void add_time(CLI::App& command, SceneArguments& arguments);
 
 // Reads the file and makes the changes. Failure 3 for the file, 2 for a change.
 graph::Document open_document(const SceneArguments& arguments, const graph::Library& library);
+// The program of it, with its pictures read.
+graph::Program lower_scene(const SceneArguments& arguments, const graph::Document& document,
+                           const std::shared_ptr<const graph::Library>& library, graph::LowerOptions options = {});
 // Parses `text` for the parameter and sets it. Failure 2 with the reason when it does not fit.
 void set_from_text(graph::Document& document, const graph::Library& library, graph::NodeId node,
                    std::string_view parameter, std::string_view text);
@@ -26,7 +29,9 @@ void set_from_text(graph::Document& document, const graph::Library& library, gra
 std::pair<std::string, std::string> split_assignment(const std::string& text);
 
 std::string node_label(const graph::Document& document, graph::NodeId node);  // node 5 "Name"
-// The program's problems as `warning: node 5 "Name": sentence` lines on stderr.
+// The program's, and those of what the document holds ready-made.
+std::vector<graph::Problem> problems_of(const graph::Program& program, const graph::Document& document);
+// They as `warning: node 5 "Name": sentence` lines on stderr.
 void report_problems(const graph::Program& program, const graph::Document& document);
 
 // Failure 5 unless a file can be put at `path`: its folder exists and it is not a folder itself.

@@ -28,7 +28,7 @@ const std::map<std::string, Verb, std::less<>>& verbs()
     static const std::map<std::string, Verb, std::less<>> known = {
         {"click", {1}},      {"double_click", {1}}, {"right_click", {1}}, {"move", {1}},       {"drag", {3}},
         {"connect", {2}},    {"wheel", {2}},        {"key", {1}},         {"type", {1, true}}, {"settle", {0}},
-        {"screenshot", {1}}, {"resize", {1}},       {"quit", {0}}};
+        {"screenshot", {1}}, {"drop", {1}},         {"resize", {1}},      {"quit", {0}}};
     return known;
 }
 
@@ -205,6 +205,7 @@ bool Script::perform(const Action& action, Stage& stage)
     if (verb == "settle") return stage.settled;
     if (verb == "quit") return stage.quit(), true;
     if (verb == "screenshot") return stage.take_screenshot(action.words[0]), true;
+    if (verb == "drop") return stage.drop(action.words[0]), true;
     if (verb == "type") {
         for (int letter : code_points(action.rest)) stage.input.push({.kind = Kind::character, .code = letter});
         return true;

@@ -17,6 +17,7 @@ namespace fieldwright::app {
 //   connect WIDGET WIDGET        drags from one to the other
 //   wheel WIDGET NOTCHES | key ctrl+shift+z | type TEXT (UTF-8)
 //   settle                       waits until the picture is finished and nothing moves
+//   drop FILE                    as another program's hand lets go of it over the window
 //   screenshot FILE | resize WIDTHxHEIGHT (one a frame) | quit
 // Empty lines and lines that begin with # say nothing.
 class Script {
@@ -26,7 +27,7 @@ public:
         ui::InputQueue& input;
         const ui::WidgetRects& rects;
         bool settled;  // the picture is finished and nothing moves
-        std::function<void(const std::filesystem::path&)> take_screenshot;
+        std::function<void(const std::filesystem::path&)> take_screenshot, drop;
         std::function<void(glm::ivec2)> resize;
         std::function<void()> quit;
     };

@@ -2,6 +2,7 @@
 #include "app/session.h"
 
 #include "app/new_scene.h"
+#include "app/picture_paths.h"
 #include "graph/adapt.h"
 #include "graph/layout.h"
 #include "graph/scene_file.h"
@@ -135,12 +136,18 @@ void EditSession::save_as(const fs::path& path)
 {
     fs::path target = *absolute_path(scene_path(path));
     settle(unsettled_name);
+    if (target.parent_path() != folder()) {
+        move_picture_paths(document_, *library_, folder(), target.parent_path());
+        settle("Move the scene away from its pictures");
+    }
     graph::save_scene(target, document_, *library_);
     path_ = target;
     stamp_ = file_stamp(target);
     history_.mark_saved();
     saved_ = true;
 }
+
+fs::path EditSession::folder() const { return path_ ? path_->parent_path() : fs::path(); }
 
 std::string EditSession::name() const { return path_ ? path_->filename().string() : "Untitled"; }
 

@@ -42,9 +42,10 @@ public:
     void save_as(const std::filesystem::path& path);  // to scene_path(path), which becomes path()
 
     const std::optional<std::filesystem::path>& path() const { return path_; }  // absolute; none until saved
-    std::string name() const;                                                   // of the file; "Untitled" without one
-    bool dirty() const;                                                         // would be lost by closing
-    std::string title() const;                                                  // name, and a dot while dirty
+    std::filesystem::path folder() const;  // of the file, from which paths in it lead on; empty without one
+    std::string name() const;              // of the file; "Untitled" without one
+    bool dirty() const;                    // would be lost by closing
+    std::string title() const;             // name, and a dot while dirty
     // Why the user should be asked before the next save; empty when nothing would be lost, or once it was saved.
     std::string overwrite_warning() const;
     const std::optional<FileStamp>& stamp() const { return stamp_; }  // of the file as last read or written

@@ -1,6 +1,7 @@
 // Lowering the live document, and what is asked of the result.
 #include "app/shown_scene.h"
 
+#include "app/blend_curve.h"
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
 
@@ -15,11 +16,13 @@ const graph::Node* output_of(const graph::Document& document, const graph::Libra
 }
 
 std::optional<ui::Measured> measured(const graph::Document& document,
-                                     const std::shared_ptr<const graph::Library>& library, graph::NodeId root)
+                                     const std::shared_ptr<const graph::Library>& library,
+                                     const graph::BakedImages& images, graph::NodeId root)
 {
     graph::LowerOptions options;
     options.bounds = true;
     options.root = root;
+    options.images = &images;
     graph::Program program = graph::lower(document, library, options);
     if (program.bounds < 0) return std::nullopt;
     std::int32_t slot = program.values[static_cast<std::size_t>(program.bounds)].slot;
@@ -31,15 +34,36 @@ std::optional<ui::Measured> measured(const graph::Document& document,
 
 }  // namespace
 
-void ShownScene::update(const graph::Document& document, const std::shared_ptr<const graph::Library>& library)
+void ShownScene::update(const graph::Document& document, const std::shared_ptr<const graph::Library>& library,
+                        graph::BakedImages images)
 {
     document_ = document;
     library_ = library;
-    program_ = std::make_shared<const graph::Program>(graph::lower(document, library));
+    images_ = std::move(images);
+    program_ = std::make_shared<const graph::Program>(graph::lower(document, library, {.images = &images_}));
+    baking_.follow(document, *library);
+    problems_ = program_->problems;
+    for (graph::Problem& note : baking_.notes(document, *library)) problems_.push_back(std::move(note));
+    silhouettes_.look_at(document, library);
     const graph::Node* output = output_of(document, *library);
     has_camera_ = output && output->input("camera");
     bounds_.clear();
     shader_text_.reset();
+}
+
+std::vector<graph::Problem> ShownScene::problems() const
+{
+    std::vector<graph::Problem> problems = problems_;
+    const std::vector<graph::Problem>& notes = silhouettes_.answer().notes;
+    problems.insert(problems.end(), notes.begin(), notes.end());
+    return problems;
+}
+
+bool ShownScene::poll()
+{
+    if (!silhouettes_.take()) return false;
+    missed_cells_ = std::make_shared<const ui::MissedCells>(silhouettes_.answer().missed);
+    return true;
 }
 
 std::optional<ui::Measured> ShownScene::bounds_of(graph::NodeId node)
@@ -47,13 +71,22 @@ std::optional<ui::Measured> ShownScene::bounds_of(graph::NodeId node)
     auto [known, is_new] = bounds_.try_emplace(node);
     const graph::Node* found = node ? document_.root.find(node) : nullptr;
     const graph::NodeType* type = found ? library_->type(found->type) : nullptr;
-    if (is_new && (!node || (type && type->is_field()))) known->second = measured(document_, library_, node);
+    if (is_new && (!node || (type && type->is_field()))) known->second = measured(document_, library_, images_, node);
     return known->second;
+}
+
+std::optional<ui::BlendCurve> ShownScene::blend_of(graph::NodeId node, float time_s) const
+{
+    const graph::Node* found = document_.root.find(node);
+    const graph::NodeType* type = found ? library_->type(found->type) : nullptr;
+    return type ? blend_curve(*program_, *type, node, time_s) : std::nullopt;
 }
 
 std::shared_ptr<const std::string> ShownScene::shader_text(float time_s)
 {
     if (!shader_text_) {
+        if (std::string refusal = codegen::export_refusal(*program_); !refusal.empty())
+            return shader_text_ = std::make_shared<const std::string>("// " + refusal + "\n");
         std::vector<float> block = field::evaluate_frame(*program_, time_s);
         shader_text_ = std::make_shared<const std::string>(codegen::print_export(*program_, document_, block, "glsl"));
     }

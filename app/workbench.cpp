@@ -65,7 +65,8 @@ Workbench::Workbench(const WorkbenchOptions& options)
       session_(opened_session(options)),
       autosave_(folders_.state / "autosave", [this] { return now_s(); }),
       window_("Fieldwright", options.size),
-      render_thread_({.on_ready = Window::wake})
+      render_thread_({.on_ready = Window::wake}),
+      pictures_(Window::wake)
 {
     if (!options.shaders.empty()) watch_.emplace(options.shaders);
     if (!options.script.empty()) script_.emplace(options.script);
@@ -77,6 +78,9 @@ Workbench::Workbench(const WorkbenchOptions& options)
     readings_.node_at = [this](int x, int y) { return picture_.node_at(x, y); };
     readings_.depth_at = [this](int x, int y) { return picture_.depth_at(x, y); };
     readings_.bounds_of = [this](graph::NodeId node) { return scene_.bounds_of(node); };
+    readings_.blend_of = [this](graph::NodeId node) {
+        return scene_.blend_of(node, static_cast<float>(editor_.view.time_s));
+    };
     for (const Example& example : examples())
         readings_.examples.push_back(
             {std::string(example.file.name), example.title, example.sentence, example_pictures_.texture(example.file)});
@@ -128,10 +132,12 @@ void Workbench::turn()
     while (take_result()) {
     }
     forget_refusal();
+    if (scene_.poll()) touch();
     watch_shaders();
     answer_dialog();
+    if (pictures_.has_news()) lower_scene(), touch();
     attempt([&] { autosave_.update(session_); });
-    for (const std::string& path : window_.dropped_files()) editor_.ask(ui::OpenFile{path});
+    for (const std::string& path : window_.dropped_files()) take_dropped(path);
     if (window_.close_asked()) editor_.ask_quit();
     if (window_.was_touched()) touch();
     if (something_moves() && now_s() >= next_frame_s()) frame();
@@ -213,7 +219,10 @@ void Workbench::frame()
 // What the hands did, before it is drawn, since its picture takes longer. Whether another scene is shown from now on.
 bool Workbench::follow(const ui::Editor::Output& output, double frame_start_s)
 {
-    if (output.document_changed) scene_.update(session_.document(), session_.library());
+    if (output.document_changed) {
+        scene_.bake(session_.document(), *session_.library());
+        lower_scene();
+    }
     if (!output.settled_step.empty()) session_.settle(output.settled_step);
     for (const ui::Request& request : output.requests) perform(request);
     // A hand that holds something at a pane's edge moves the view without moving itself.
@@ -242,7 +251,7 @@ void Workbench::watch_shaders()
     reload_error_ = reload.error;
     if (reload.library) {
         session_.use_library(reload.library);
-        scene_.update(session_.document(), session_.library());
+        lower_scene();
         say("Read the changed shaders");
     } else {
         say(reload.error, true);
@@ -252,7 +261,8 @@ void Workbench::watch_shaders()
 void Workbench::fill_readings()
 {
     readings_.program = scene_.program();
-    readings_.problems = scene_.program()->problems;
+    readings_.problems = scene_.problems();
+    readings_.missed_cells = scene_.missed_cells();
     for (const std::string& error : {reload_error_, compile_error_, autosave_.failure()})
         if (!error.empty()) readings_.problems.push_back({{}, error});
     bool reads_shader = editor_.view.panes.shown && editor_.view.panel == ui::Panel::shader;
@@ -349,7 +359,7 @@ renderer::PictureRequest Workbench::wanted_picture() const
 // Another document is shown: everything derived from the old one goes.
 void Workbench::scene_replaced()
 {
-    scene_.update(session_.document(), session_.library());
+    lower_scene();
     compile_error_.clear();
     editor_.view.selection.clear();
     editor_.view.time_s = 0;
@@ -360,7 +370,7 @@ void Workbench::scene_replaced()
 
 void Workbench::play_script()
 {
-    bool finished = readings_.picture.full && shown_generation() == asked_generation();
+    bool finished = readings_.picture.full && shown_generation() == asked_generation() && !pictures_.busy();
     Script::Stage stage{
         .input = window_.input,
         .rects = editor_.rects,
@@ -370,6 +380,7 @@ void Workbench::play_script()
                 glm::ivec2 size = window_.size_px();
                 renderer::write_png(path, {size.x, size.y, window_.screenshot()});
             },
+        .drop = [&](const std::filesystem::path& file) { take_dropped(file); },
         .resize =
             [&](glm::ivec2 size) {
                 window_.resize(size);

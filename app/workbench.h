@@ -5,6 +5,7 @@
 #include "app/examples.h"
 #include "app/folder_watch.h"
 #include "app/native_dialog.h"
+#include "app/picture_shelf.h"
 #include "app/recent_files.h"
 #include "app/script.h"
 #include "app/session.h"
@@ -63,6 +64,7 @@ private:
     double next_frame_s() const;
     double patience_s() const;
     void watch_shaders();
+    void lower_scene();
     void fill_readings();
     bool take_result();
     void await_first_picture();
@@ -76,6 +78,8 @@ private:
     void chosen(const ui::ChooseFile& request, const std::filesystem::path& path);
     void open(const std::filesystem::path& path);
     void open_example(const std::string& name);
+    void take_dropped(const std::filesystem::path& file);
+    void use_picture(const ui::UsePicture& request);
     void save(const std::optional<std::filesystem::path>& path);
     void export_shader(const ui::ExportFile& request);
     void export_picture(const std::filesystem::path& path);
@@ -102,7 +106,8 @@ private:
     Window window_;
     ExamplePictures example_pictures_;
     renderer::RenderThread render_thread_;
-    ShownScene scene_;
+    PictureShelf pictures_;
+    ShownScene scene_{Window::wake};
     ShownPicture picture_;
     ui::Editor editor_;
     ui::Readings readings_;

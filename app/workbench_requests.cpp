@@ -17,6 +17,7 @@ const char* dialog_title(ui::ChooseFile::Then then)
         case ui::ChooseFile::Then::save_as: return "Save scene as";
         case ui::ChooseFile::Then::export_shader: return "Export shader";
         case ui::ChooseFile::Then::export_picture: return "Export picture";
+        case ui::ChooseFile::Then::picture: return "Choose a picture";
     }
     return "";
 }
@@ -35,7 +36,7 @@ std::string time_text(const char* format, std::time_t time)
 void Workbench::perform(const ui::Request& request)
 {
     auto restored = [&](bool done) {
-        if (done) scene_.update(session_.document(), session_.library());
+        if (done) lower_scene();
     };
     if (std::holds_alternative<ui::NewScene>(request)) leave_view(), session_.new_scene(), scene_replaced();
     if (auto* file = std::get_if<ui::OpenFile>(&request)) open(file->path);
@@ -44,6 +45,7 @@ void Workbench::perform(const ui::Request& request)
     if (auto* file = std::get_if<ui::SaveFileAs>(&request)) save(file->path);
     if (auto* shader = std::get_if<ui::ExportFile>(&request)) export_shader(*shader);
     if (auto* picture = std::get_if<ui::ExportPicture>(&request)) export_picture(picture->path);
+    if (auto* picture = std::get_if<ui::UsePicture>(&request)) use_picture(*picture);
     if (auto* choice = std::get_if<ui::ChooseFile>(&request)) choose(*choice);
     if (std::holds_alternative<ui::ForgetRecent>(request)) attempt([&] { recent_.clear(); });
     if (std::holds_alternative<ui::Undo>(request)) restored(session_.undo());
@@ -80,7 +82,8 @@ void Workbench::choose(const ui::ChooseFile& request)
     using Then = ui::ChooseFile::Then;
     dialog_request_ = request;
     DialogRequest dialog;
-    dialog.kind = request.then == Then::open ? DialogRequest::Kind::open : DialogRequest::Kind::save;
+    bool opens = request.then == Then::open || request.then == Then::picture;
+    dialog.kind = opens ? DialogRequest::Kind::open : DialogRequest::Kind::save;
     dialog.title = dialog_title(request.then);
     dialog.folder = session_.path() ? session_.path()->parent_path() : std::filesystem::current_path();
     std::string stem = session_.path() ? session_.path()->stem().stem().string() : "untitled";
@@ -89,6 +92,8 @@ void Workbench::choose(const ui::ChooseFile& request)
         dialog.name = stem + ".glsl", dialog.filter = "Shader", dialog.pattern = "*.glsl";
     if (request.then == Then::export_picture)
         dialog.name = stem + ".png", dialog.filter = "Picture", dialog.pattern = "*.png";
+    if (request.then == Then::picture)
+        dialog.filter = "Pictures", dialog.pattern = "*.png *.jpg *.jpeg *.hdr *.exr *.tif *.tiff";
     dialog_.start(dialog);
 }
 
@@ -115,6 +120,7 @@ void Workbench::chosen(const ui::ChooseFile& request, const std::filesystem::pat
         case ui::ChooseFile::Then::save_as: save(path); break;
         case ui::ChooseFile::Then::export_shader: export_shader({path.string(), request.target}); break;
         case ui::ChooseFile::Then::export_picture: export_picture(path); break;
+        case ui::ChooseFile::Then::picture: use_picture({path.string(), request.node}); break;
     }
 }
 
@@ -153,6 +159,8 @@ void Workbench::save(const std::optional<std::filesystem::path>& path)
 
 void Workbench::export_shader(const ui::ExportFile& request)
 {
+    if (std::string refusal = codegen::export_refusal(*scene_.program()); !refusal.empty())
+        return say("Not exported: " + refusal, true);
     attempt([&] {
         std::vector<float> block = field::evaluate_frame(*scene_.program(), static_cast<float>(editor_.view.time_s));
         graph::save_atomically(request.path,

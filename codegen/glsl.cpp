@@ -3,6 +3,7 @@
 
 #include "codegen/scene_printer.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -26,6 +27,17 @@ std::string library_texts(const graph::Program& program, std::span<const char* c
     std::string text;
     for (const char* file : files) text += program.library->text(file) + "\n";
     return text;
+}
+
+// Only scenes with formulas pay for them.
+std::string formula_texts(const graph::Program& program)
+{
+    constexpr const char* file = "render/formula.glsl";
+    auto is_of_formulas = [&](const graph::Instruction& instruction) {
+        return instruction.function && instruction.function->file == file;
+    };
+    bool used = std::any_of(program.instructions.begin(), program.instructions.end(), is_of_formulas);
+    return used ? program.library->text(file) + "\n" : std::string();
 }
 
 std::string number(float value)
@@ -58,6 +70,7 @@ std::string device_shader(const graph::Program& program, std::span<const float> 
     text += "#version 330\n\n" + device_inputs(program, printer.reads_block());
     text += library_texts(program, field_files);
     if (picture) text += library_texts(program, picture_files);
+    text += formula_texts(program);
     text += printer.node_functions();
     text += scene;
     if (picture) text += program.library->text("gpu/pixel.glsl") + "\n";
@@ -121,7 +134,8 @@ std::map<graph::NodeId, std::string> safe_names(const graph::Document& document)
 std::string print_scene(const graph::Program& program, std::span<const float> block, Placement placement)
 {
     ScenePrinter printer(program, block, placement);
-    return library_texts(program, field_files) + printer.node_functions() + printer.scene_functions();
+    return library_texts(program, field_files) + formula_texts(program) + printer.node_functions() +
+           printer.scene_functions();
 }
 
 std::string print_fragment_shader(const graph::Program& program, std::span<const float> block, Placement placement)
@@ -138,6 +152,14 @@ const std::vector<std::string>& export_targets()
 {
     static const std::vector<std::string> targets = {"glsl", "shadertoy"};
     return targets;
+}
+
+std::string export_refusal(const graph::Program& program)
+{
+    std::size_t count = program.list_data.size();
+    if (count <= export_list_limit) return {};
+    return "the lists and pictures of this scene hold " + std::to_string(count) + " vectors, more than the " +
+           std::to_string(export_list_limit) + " that an exported shader can carry; lower the detail of its pictures";
 }
 
 std::string print_export(const graph::Program& program, const graph::Document& document, std::span<const float> block,
@@ -159,7 +181,7 @@ std::string print_export(const graph::Program& program, const graph::Document& d
     text += library_texts(program, field_files);
     for (const char* file : {"render/march.glsl", "render/shading.glsl", "render/views.glsl"})
         text += program.library->text(file) + "\n";
-    text += nodes + march_constants(program) + frame + scene;
+    text += formula_texts(program) + nodes + march_constants(program) + frame + scene;
     text += program.library->text("gpu/pixel.glsl") + "\n";
     return text + program.library->text(target == "glsl" ? "export/glsl.glsl" : "export/shadertoy.glsl");
 }

@@ -29,5 +29,8 @@ std::string print_distance_shader(const graph::Program& program, std::span<const
 std::string print_export(const graph::Program& program, const graph::Document& document, std::span<const float> block,
                          std::string_view target);
 const std::vector<std::string>& export_targets();
+// Why a program cannot be exported, as the end of a sentence; empty when it can.
+std::string export_refusal(const graph::Program& program);
+inline constexpr std::size_t export_list_limit = 8192;  // vectors: compilers are slow with constant arrays
 
 }  // namespace fieldwright::codegen

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -100,6 +101,15 @@ std::string list_declaration(int n, const std::string& count)
     return "    const List l" + name + "{list_data + int(" + argument + "[0]), " + count + "};\n";
 }
 
+// A loop that leaves off at the end of a list is vectorised when its end is known before it begins.
+std::string with_known_ends(const std::string& text)
+{
+    static const std::regex loop(
+        R"(for \(int (\w+) = 0; \1 < (\d+); \1\+\+\) \{\s*if \(\1 >= (\w+)\.count\) \{\s*break;\s*\})");
+    return std::regex_replace(text, loop,
+                              "for (int $1 = 0, $1_end = $3.count < $2 ? $3.count : $2; $1 < $1_end; $1++) {");
+}
+
 std::string length_read(int n) { return "int(a" + std::to_string(n) + "[1])"; }
 
 // No loop around a loop of unknown length is vectorised: each of the usual lengths of a list has a loop of its own, in
@@ -192,7 +202,7 @@ private:
         for (const StructDeclaration& declared : file.structs) source_ += declared.text + "\n\n";
         for (const std::string& constant : file.constants) source_ += "static " + constant + "\n";
         for (const Function& function : file.functions) {
-            source_ += "FIELDWRIGHT_INLINE " + function.text + "\n\n";
+            source_ += "FIELDWRIGHT_INLINE " + with_known_ends(function.text) + "\n\n";
             if (kernelable(function)) add_kernel(function);
         }
     }

@@ -24,14 +24,14 @@ constexpr std::array forbidden_words = {"out",       "inout",   "in",         "w
                                         "namespace", "using",   "inversesqrt"};
 
 constexpr std::array reserved_names = {
-    "active",    "asm",       "atomic_uint", "auto",      "buffer",   "case",       "catch",    "char",
-    "common",    "default",   "delete",      "enum",      "explicit", "export",     "extern",   "external",
-    "filter",    "fixed",     "friend",      "half",      "highp",    "image2D",    "inline",   "input",
-    "interface", "long",      "lowp",        "mediump",   "new",      "noinline",   "operator", "output",
-    "partition", "precision", "private",     "protected", "public",   "register",   "resource", "sample",
-    "short",     "signed",    "sizeof",      "smooth",    "static",   "subroutine", "superp",   "this",
-    "throw",     "try",       "typedef",     "typename",  "unsigned", "virtual",    "volatile", "flat",
-    "centroid",  "patch",     "xor",         "and",       "or",       "not",        "register", "restrict"};
+    "active",     "asm",      "atomic_uint", "auto",     "buffer", "case",      "catch",     "char",     "common",
+    "default",    "delete",   "enum",        "explicit", "export", "extern",    "external",  "filter",   "fixed",
+    "friend",     "half",     "highp",       "image2D",  "inline", "input",     "interface", "long",     "lowp",
+    "mediump",    "new",      "noinline",    "operator", "output", "partition", "precision", "private",  "protected",
+    "public",     "register", "resource",    "sample",   "short",  "signed",    "sizeof",    "smooth",   "static",
+    "subroutine", "superp",   "this",        "throw",    "try",    "typedef",   "typename",  "unsigned", "virtual",
+    "volatile",   "flat",     "centroid",    "patch",    "xor",    "and",       "or",        "not",      "restrict",
+    "shared",     "coherent", "readonly",    "writeonly"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)
@@ -313,7 +313,7 @@ private:
             double multiplicity;
         };
         std::vector<Scope> loops;  // enclosing for loops
-        double multiplicity = 1, iterations = 0;
+        double multiplicity = 1, iterations = 0, list_iterations = 0, list_loops = 0;
         int depth = 1;
         double pending_loop = 0;  // iterations of a `for (...)` header just read
         while (true) {
@@ -324,6 +324,10 @@ private:
                 pending_loop = loop_header();
                 iterations += multiplicity * pending_loop;
                 if (peek().text != "{") fail(peek(), "the body of a loop is written in braces");
+                if (ends_with_a_list(function)) {
+                    list_iterations += multiplicity * pending_loop;
+                    list_loops += multiplicity;
+                }
             } else if (token.text == "{") {
                 ++depth;
                 if (pending_loop > 0) {
@@ -338,21 +342,45 @@ private:
                 }
                 if (--depth == 0) {
                     function.loop_iterations = static_cast<int>(std::min(iterations, 1e6));
+                    function.list_iterations = static_cast<int>(std::min(list_iterations, 1e6));
+                    function.list_loops = static_cast<int>(std::min(list_loops, 1e6));
                     return token;
                 }
             } else if (token.kind == TokenKind::word && peek().text == "(") {
-                iterations += multiplicity * callee_iterations(function, token);
+                const Function* callee = callee_of(function, token);
+                if (!callee) continue;
+                iterations += multiplicity * callee->loop_iterations;
+                list_iterations += multiplicity * callee->list_iterations;
+                list_loops += multiplicity * callee->list_loops;
             }
         }
     }
 
-    double callee_iterations(const Function& caller, const Token& name) const
+    // `{ if (i >= points.count) { break; }`: the loop leaves off at the end of a list.
+    bool ends_with_a_list(const Function& function) const
+    {
+        constexpr std::array idiom = {"{", "if", "(", "", ">", "=", "", ".", "count", ")", "{", "break", ";", "}"};
+        std::size_t at = at_;
+        std::string_view list;
+        for (std::size_t i = 0; i < idiom.size(); ++i, ++at) {
+            while (at < tokens_.size() && tokens_[at].kind == TokenKind::comment) ++at;
+            if (at >= tokens_.size()) return false;
+            if (i == 6) list = tokens_[at].text;
+            if (*idiom[i] && tokens_[at].text != idiom[i]) return false;
+        }
+        return std::any_of(function.arguments.begin(), function.arguments.end(), [&](const Argument& argument) {
+            return argument.name == list && argument.type.base == BaseType::list;
+        });
+    }
+
+    // A function of this file.
+    const Function* callee_of(const Function& caller, const Token& name) const
     {
         if (name.text == caller.name)
             fail(name, "`" + caller.name + "` calls itself; recursion is not part of the dialect");
         for (const Function& other : file_.functions)
-            if (other.name == name.text) return other.loop_iterations;
-        return 0;
+            if (other.name == name.text) return &other;
+        return nullptr;
     }
 
     int integer_literal()

@@ -33,7 +33,27 @@ struct StructDeclaration {
 };
 
 // What an argument of a node's function receives: a parameter, or by its reserved name the point, an input's distance ...
-enum class Role { parameter, p, d, a, b, c, acc, copy, cell, time, uv, direction, child, box_a, box_b, camera, sky };
+enum class Role {
+    parameter,
+    p,
+    d,
+    a,
+    b,
+    c,
+    acc,
+    copy,
+    cell,
+    time,
+    uv,
+    direction,
+    child,
+    box_a,
+    box_b,
+    box_c,
+    camera,
+    sky,
+    steepest
+};
 
 struct Argument {
     Type type;
@@ -51,7 +71,9 @@ struct Function {
     std::string text;         // the whole definition, verbatim
     int line = 0;             // of the definition in its file
     int loop_iterations = 0;  // loop iterations of one call, those of called functions included; saturates at 1e6
-    std::string file;         // for messages
+    // Of these, the ones of loops that leave off at the end of a list, and how often such a loop is run.
+    int list_iterations = 0, list_loops = 0;
+    std::string file;  // for messages
 };
 
 // One parsed file. Order of declaration is kept.

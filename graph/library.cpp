@@ -169,6 +169,7 @@ std::string_view parameter_kind_name(ParameterKind kind)
         case ParameterKind::material: return "material";
         case ParameterKind::text: return "text";
         case ParameterKind::formula: return "formula";
+        case ParameterKind::image: return "image";
         case ParameterKind::list: break;
     }
     return "list";
@@ -181,7 +182,8 @@ bool has_range(ParameterKind kind)
         case ParameterKind::choice:
         case ParameterKind::material:
         case ParameterKind::text:
-        case ParameterKind::formula: return false;
+        case ParameterKind::formula:
+        case ParameterKind::image: return false;
         default: return true;
     }
 }

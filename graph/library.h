@@ -14,7 +14,7 @@ namespace fieldwright::graph {
 enum class SocketKind { field2d, field3d, field_any, number, vec2, vec3, colour, material, camera, sky, light, none };
 
 // A text is UTF-8 for whoever bakes it and no argument of a function. The function of a formula receives what it
-// computes, a float.
+// computes, a float; that of an image, a picture file's path, the list baked from it (graph/image_request.h).
 enum class ParameterKind {
     number,
     integer,
@@ -28,11 +28,13 @@ enum class ParameterKind {
     material,
     list,
     text,
-    formula
+    formula,
+    image
 };
 
 // Declared once in a node file: by the comment of an argument, `default [min, max] unit  help` or
-// `formula "default"  help`, or by a header line, `text NAME: "default"  help` or `number NAME: default ...  help`.
+// `formula "default" over half_size  help` or `image  help`, or by a header line, `text NAME: "default"  help` or
+// `number NAME: default ...  help`.
 struct Parameter {
     std::string name;
     ParameterKind kind = ParameterKind::number;
@@ -43,12 +45,14 @@ struct Parameter {
     std::string unit;  // "m", "deg", "1/m", "s", "" ...
     std::string help;
     std::vector<std::string> choices;  // kind choice: the words; the function receives the index as int
-    int value_index = -1;              // into Node::parameters; -1 for materials, which have no value
+    std::string over;      // kind formula: the vec3 parameter that is half the size of the box its point stays in
+    int value_index = -1;  // into Node::parameters; -1 for materials, which have no value
 };
 
 struct Socket {
     std::string name;  // input: reserved argument name ("d", "a", "b", "camera", "sky") or parameter name
     SocketKind kind = SocketKind::none;
+    std::string title = {};  // of a field input that `// inputs: ...` names
 };
 
 enum class Quality { exact, bound, approximate };

@@ -65,14 +65,33 @@ void Lowering::resolve_types()
     for (const Node& node : nodes()) {
         types_.push_back(builder_.library().type(node.type));
         stored_offset_.push_back(parameters);
+        bool known = types_.back() != nullptr;
+        if (known && !has_its_image(node, *types_.back())) types_.back() = nullptr;
         if (types_.back()) parameters += static_cast<int>(types_.back()->parameters.size());
-        if (!types_.back())
+        if (!known)
             problems_.push_back({node.id, "this version does not know nodes of type " + titled(node.type) +
                                               "; it counts as unconnected"});
-        else if (!types_.back()->compiled)
+        else if (!types_.back())
+            continue;  // said by has_its_image
+        else if (std::string error = formula_error(node, *types_.back()); !error.empty()) {
+            problems_.push_back({node.id, error + "; the node counts as unconnected"});
+            types_.back() = nullptr;
+        } else if (!types_.back()->compiled)
             note(node.id, "this node is not compiled into the program and runs on the GPU only");
     }
     stored_.assign(static_cast<std::size_t>(parameters), no_value);
+}
+
+// Whether there is what its picture file was to be made into; says so when not.
+bool Lowering::has_its_image(const Node& node, const NodeType& type)
+{
+    std::optional<ImageRequest> request = image_request(node, type);
+    if (!request) return true;
+    const BakedImage* image = options_.images ? baked_image(*options_.images, *request) : nullptr;
+    if (image && image->sentence.empty()) return true;
+    if (image) problems_.push_back({node.id, image->sentence});
+    else note(node.id, "reading the picture " + request->path);
+    return false;
 }
 
 void Lowering::count_uses()
@@ -122,7 +141,7 @@ int Lowering::field_source(int target, std::string_view socket)
         if (!type || !type->is_field()) return -1;
         if (!node(index).muted) return index;
         if (type->inputs.empty() || !is_field_kind(type->inputs.front().kind)) return -1;
-        bool converts = type->function("point") && type->inputs.front().kind != type->output;
+        bool converts = type->inputs.front().kind != type->output;
         if (converts) return -1;
         index = index_of(node(index).input(type->inputs.front().name));
     }

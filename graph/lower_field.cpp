@@ -72,6 +72,7 @@ Lowering::FieldValue Lowering::raw_field(int index, Context context, bool may_di
     gpu_only_ = gpu_only_ || !type.compiled;
     bool inner_may_divide = may_divide && passes_division(type);
     if (type.scaling == Scaling::hard_associative) return chain(index, context, inner_may_divide);
+    if (type.input("c")) return ternary(index, context, inner_may_divide);
     if (type.input("a")) return binary(index, context, inner_may_divide);
     if (type.copies > 1) return block(index, context, inner_may_divide);
     if (type.input("d")) return unary(index, context, inner_may_divide);
@@ -136,15 +137,41 @@ ValueId Lowering::shows_b(int index, Context context, const Bindings& sides, Val
     return builder_.call("mostly_b", {weight == no_value ? blend(index, context, sides) : weight});
 }
 
+Lowering::FieldValue Lowering::side(int index, std::string_view socket, Context context, bool may_divide)
+{
+    int source = field_source(index, socket);
+    return source < 0 ? FieldValue{} : field(source, inner_context(index, context, socket), may_divide);
+}
+
 Lowering::FieldValue Lowering::binary(int index, Context context, bool may_divide)
 {
-    auto side = [&](std::string_view socket) {
-        int source = field_source(index, socket);
-        return source < 0 ? FieldValue{} : field(source, inner_context(index, context, socket), may_divide);
-    };
-    FieldValue a = side("a");
-    FieldValue b = side("b");
+    FieldValue a = side(index, "a", context, may_divide);
+    FieldValue b = side(index, "b", context, may_divide);
     return combined(index, context, a, b);
+}
+
+// A combiner of three: the distance of an unconnected side is that of nothing. Materials and ids are chosen side by
+// side: b's share of a, then c's of both.
+Lowering::FieldValue Lowering::ternary(int index, Context context, bool may_divide)
+{
+    FieldValue sides[3];
+    for (std::size_t i = 0; i < 3; ++i) sides[i] = side(index, std::string(1, "abc"[i]), context, may_divide);
+    Bindings bindings{.a = sides[0].distance, .b = sides[1].distance, .c = sides[2].distance};
+    FieldValue value;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (sides[i].distance == no_value) continue;
+        if (value.distance == no_value) {
+            value = sides[i];
+            value.distance = node_call(index, "distance", context, bindings);
+        } else if (with_surface_) {
+            ValueId weight = node_call(index, i == 1 ? "blend" : "blend_c", context, bindings);
+            value.material = builder_.call("mix_material", {value.material, sides[i].material, weight});
+            ValueId shows = builder_.call("mostly_b", {weight});
+            value.material_id = builder_.call("choose_id", {value.material_id, sides[i].material_id, shows});
+            value.node_id = builder_.call("choose_id", {value.node_id, sides[i].node_id, shows});
+        }
+    }
+    return value;
 }
 
 // A combiner of which one side is unconnected passes the other on.

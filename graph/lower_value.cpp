@@ -1,4 +1,6 @@
 // Lowering of numbers: calls, their arguments, parameters and wires, Lipschitz constants and bounds.
+#include "graph/contours.h"
+#include "graph/drawing.h"
 #include "graph/lowering.h"
 
 #include <algorithm>
@@ -30,10 +32,21 @@ ValueId Lowering::call_function(int index, const Function& function, Context con
         if (count == arguments.size()) break;
         arguments[count++] = this->argument(index, argument, context, bindings);
     }
-    if (counting_) loop_iterations_ += copies_ * function.loop_iterations;
+    if (counting_) loop_iterations_ += copies_ * iterations_of_call(function, {arguments.data(), count});
     const NodeType& type = this->type(index);
     gpu_only_ = gpu_only_ || !type.compiled;
     return builder_.call(function, {arguments.data(), count}, node(index).id, type.compiled);
+}
+
+// Loops over a list leave off at its end.
+int Lowering::iterations_of_call(const Function& function, std::span<const ValueId> arguments) const
+{
+    std::size_t longest = 0;
+    for (ValueId argument : arguments)
+        if (builder_.type(argument).base == BaseType::list) longest = std::max(longest, builder_.list_size(argument));
+    auto over_lists = static_cast<std::int64_t>(function.list_loops) * static_cast<std::int64_t>(longest + 1);
+    return function.loop_iterations - function.list_iterations +
+           static_cast<int>(std::min<std::int64_t>(over_lists, function.list_iterations));
 }
 
 // A call of a type that no node of the document has: its parameters' defaults.
@@ -65,12 +78,14 @@ ValueId Lowering::argument(int index, const Argument& argument, Context context,
         case Role::d: return bound(bindings.d);
         case Role::a: return bound(bindings.a);
         case Role::b: return bound(bindings.b);
+        case Role::c: return bound(bindings.c);
         case Role::acc: return bound(bindings.acc);
         case Role::copy: return bindings.copy != no_value ? bindings.copy : builder_.constant_int(0);
         case Role::child: return bindings.child;
         case Role::box_a: return bindings.box_a;
         case Role::box_b: return bindings.box_b;
-        case Role::c:
+        case Role::steepest: return slope(index);
+        case Role::box_c: return bindings.box_c;
         case Role::camera:
         case Role::sky: break;
     }
@@ -97,10 +112,12 @@ ValueId Lowering::parameter(int index, int parameter_index, Context context)
         int source = other_source(index, parameter.name, SocketKind::material);
         return source < 0 ? default_material_ : material_of(source, context);
     }
-    if (wired) {
+    bool computed = parameter.kind == ParameterKind::formula;
+    if (wired || computed) {
         std::uint64_t key = part_key(index, context, parameter_index);
         if (auto known = value_memo_.find(key); known != value_memo_.end()) return known->second;
-        ValueId value = wired_parameter(index, parameter, context);
+        ValueId value =
+            computed ? formula(index, parameter_index, context) : wired_parameter(index, parameter, context);
         if (value != no_value) return value_memo_[key] = value;
     }
     return stored_parameter(index, parameter_index);
@@ -113,6 +130,7 @@ ValueId Lowering::stored_parameter(int index, int parameter_index)
         stored_[static_cast<std::size_t>(stored_offset_[static_cast<std::size_t>(index)] + parameter_index)];
     if (known != no_value) return known;
     const Parameter& parameter = type(index).parameters[static_cast<std::size_t>(parameter_index)];
+    if (parameter.kind == ParameterKind::image) return known = image_list(index, parameter);
     const Node& node = this->node(index);
     const Value* value = nullptr;
     auto at = static_cast<std::size_t>(parameter.value_index);
@@ -120,6 +138,17 @@ ValueId Lowering::stored_parameter(int index, int parameter_index)
     else value = node.parameter(parameter.name);
     bool usable = value && value_error(parameter, *value).empty();
     return known = constant_of(parameter, usable ? *value : parameter.initial, node.id);
+}
+
+// The list baked from a node's picture, one for all that ask alike; empty when no file is chosen.
+ValueId Lowering::image_list(int index, const Parameter& parameter)
+{
+    const Node& node = this->node(index);
+    std::optional<ImageRequest> request = image_request(node, type(index));
+    const BakedImage* image = request ? baked_image(*options_.images, *request) : nullptr;
+    auto [known, is_new] = image_lists_.try_emplace(image, no_value);
+    if (is_new) known->second = builder_.list(image ? image->distances : PointList{}, node.id, parameter.name.c_str());
+    return known->second;
 }
 
 ValueId Lowering::constant_of(const Parameter& parameter, const Value& value, NodeId node)
@@ -136,10 +165,37 @@ ValueId Lowering::constant_of(const Parameter& parameter, const Value& value, No
     if (auto* vector = std::get_if<glm::vec2>(&value)) return constant({vector->x, vector->y});
     if (auto* whole = std::get_if<int>(&value)) return constant({static_cast<float>(*whole)});
     if (auto* flag = std::get_if<bool>(&value)) return constant({*flag ? 1.0f : 0.0f});
-    if (auto* points = std::get_if<PointList>(&value)) return builder_.list(*points, node, parameter.name.c_str());
+    if (auto* points = std::get_if<PointList>(&value))
+        return builder_.list(expanded(parameter, *points, node), node, parameter.name.c_str());
+    if (parameter.kind == ParameterKind::image) return builder_.list({}, node, parameter.name.c_str());
     const auto& word = std::get<std::string>(value);
     auto choice = std::find(parameter.choices.begin(), parameter.choices.end(), word) - parameter.choices.begin();
     return constant({static_cast<float>(choice)});
+}
+
+// What a function receives of a list: drawings with their gaps, contours as sides.
+PointList Lowering::expanded(const Parameter& parameter, const PointList& points, NodeId node)
+{
+    if (parameter.unit == drawing_unit) return expanded_drawing(points, node);
+    if (parameter.unit != contour_unit) return points;
+    PointList sides = sides_of(points);
+    if (sides.size() < points.size())
+        note(node, "its outlines have " + std::to_string(points.size()) + " sides; of these, " +
+                       std::to_string(sides.size()) + " are drawn");
+    return sides;
+}
+
+PointList Lowering::expanded_drawing(const PointList& rectangles, NodeId node)
+{
+    PointList all = with_gaps(rectangles);
+    std::string most = std::to_string(drawing_rectangle_limit);
+    if (rectangles.size() > drawing_rectangle_limit)
+        note(node, "the drawing takes " + std::to_string(rectangles.size()) + " rectangles; the first " + most +
+                       " are drawn: paint larger areas");
+    else if (all.size() == rectangles.size() && !all.empty())
+        note(node, "the drawing takes more than " + most +
+                       " rectangles, those of its gaps included; inside, its distance is a bound");
+    return all;
 }
 
 // The value at a parameter's socket, or no_value when what is wired gives none here.
@@ -215,6 +271,11 @@ int Lowering::value_needs(int source)
             if (argument.role == Role::p) needs |= needs_point;
             if (argument.role == Role::cell) needs |= needs_cell;
         }
+    for (const Parameter& parameter : type(source).parameters) {
+        if (parameter.kind != ParameterKind::formula) continue;
+        const Formula& formula = formulas_.at({node(source).id, parameter.name});
+        if (formula.uses(formula_x) || formula.uses(formula_y) || formula.uses(formula_z)) needs |= needs_point;
+    }
     int result = needs;
     for (const auto& [socket, from] : node(source).inputs)
         if (int index = index_of(from); index >= 0 && types_[static_cast<std::size_t>(index)])
@@ -296,9 +357,7 @@ ValueId Lowering::own_lipschitz(int index)
             multiply(builder_.constant(4.0f));
             continue;
         }
-        Bindings bindings{
-            .child = box_of_input(index, "d"), .box_a = box_of_input(index, "a"), .box_b = box_of_input(index, "b")};
-        multiply(call_function(index, *function, frame_context, bindings));
+        multiply(call_function(index, *function, frame_context, boxes_of_inputs(index)));
     }
     if (type.approximate_step < 1) multiply(builder_.constant(1.0f / type.approximate_step));
     if (varies_with_point(index)) {
@@ -313,6 +372,14 @@ ValueId Lowering::box_of_input(int index, std::string_view socket)
     if (!type(index).input(socket)) return no_value;
     int source = field_source(index, socket);
     return source < 0 ? builder_.call("everywhere", {}) : box(source);
+}
+
+Lowering::Bindings Lowering::boxes_of_inputs(int index)
+{
+    return {.child = box_of_input(index, "d"),
+            .box_a = box_of_input(index, "a"),
+            .box_b = box_of_input(index, "b"),
+            .box_c = box_of_input(index, "c")};
 }
 
 // Box around a field's surface, in the space of its own point.
@@ -336,9 +403,7 @@ ValueId Lowering::box(int index)
         }
         if (value == no_value) value = builder_.call("everywhere", {});
     } else {
-        value = call_function(
-            index, bounds, frame_context,
-            {.child = box_of_input(index, "d"), .box_a = box_of_input(index, "a"), .box_b = box_of_input(index, "b")});
+        value = call_function(index, bounds, frame_context, boxes_of_inputs(index));
     }
     --depth_;
     return box_memo_[index] = value;

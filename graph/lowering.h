@@ -3,8 +3,10 @@
 #pragma once
 
 #include "graph/program_builder.h"
+#include "graph/slope.h"
 
 #include <array>
+#include <map>
 #include <unordered_map>
 
 namespace fieldwright::graph {
@@ -33,8 +35,8 @@ private:
 
     // Values of the reserved arguments of one call.
     struct Bindings {
-        ValueId d = no_value, a = no_value, b = no_value, acc = no_value, copy = no_value;
-        ValueId child = no_value, box_a = no_value, box_b = no_value;
+        ValueId d = no_value, a = no_value, b = no_value, c = no_value, acc = no_value, copy = no_value;
+        ValueId child = no_value, box_a = no_value, box_b = no_value, box_c = no_value;
     };
 
     static constexpr std::size_t light_limit = 32;
@@ -47,6 +49,8 @@ private:
     const NodeType& type(int index) const { return *types_[static_cast<std::size_t>(index)]; }
 
     void resolve_types();
+    bool has_its_image(const Node& node, const NodeType& type);
+    ValueId image_list(int index, const Parameter& parameter);
     void count_uses();
     int find_output();
     void note(NodeId node, std::string sentence);
@@ -74,6 +78,8 @@ private:
     FieldValue chain(int index, Context context, bool may_divide);
     FieldValue balanced(int index, std::span<const int> leaves, Context context, bool may_divide);
     FieldValue combined(int index, Context context, const FieldValue& a, const FieldValue& b);
+    FieldValue ternary(int index, Context context, bool may_divide);
+    FieldValue side(int index, std::string_view socket, Context context, bool may_divide);
     void paint(int index, Context context, FieldValue& value);
     ValueId id_of(NodeId node);
     ValueId blend(int index, Context context, const Bindings& sides);
@@ -95,10 +101,20 @@ private:
     ValueId stored_parameter(int index, int parameter);
     ValueId wired_parameter(int index, const Parameter& parameter, Context context);
     ValueId constant_of(const Parameter& parameter, const Value& value, NodeId node);
+    PointList expanded(const Parameter& parameter, const PointList& points, NodeId node);
+    PointList expanded_drawing(const PointList& rectangles, NodeId node);
     ValueId clamped(const Parameter& parameter, ValueId value);
     ValueId value_of(int source, Context context);
     ValueId material_of(int source, Context context);
     ValueId converted(ValueId value, const Type& type);
+
+    // Formulas.
+    std::string formula_error(const Node& node, const NodeType& type);
+    ValueId formula(int index, int parameter, Context context);
+    ValueId formula_point(int index, const Parameter& parameter, Context context);
+    Interval range_of(int index, const Parameter& parameter) const;
+    ValueId slope(int index);
+    ValueId slope_over(int index, const Parameter& parameter);
 
     // Constants of fields, at constant or frame rate.
     ValueId memo_lipschitz(int index);
@@ -110,6 +126,8 @@ private:
     std::vector<int> field_inputs(int index);
     ValueId box(int index);
     ValueId box_of_input(int index, std::string_view socket);
+    Bindings boxes_of_inputs(int index);
+    int iterations_of_call(const Function& function, std::span<const ValueId> arguments) const;
 
     const Document& document_;
     const LowerOptions& options_;
@@ -131,8 +149,11 @@ private:
     int depth_ = 0;
 
     // Of the whole program.
-    std::vector<int> stored_offset_;  // by node index: its first parameter in stored_
-    std::vector<ValueId> stored_;     // parameters from the document
+    std::vector<int> stored_offset_;                                   // by node index: its first parameter in stored_
+    std::vector<ValueId> stored_;                                      // parameters from the document
+    std::map<std::pair<NodeId, std::string_view>, Formula> formulas_;  // by parameter
+    std::unordered_map<int, ValueId> slope_memo_;
+    std::map<const BakedImage*, ValueId> image_lists_;
     std::unordered_map<int, int> needs_memo_;
     std::unordered_map<int, ValueId> lipschitz_memo_, box_memo_;
     std::unordered_map<int, bool> exceeds_memo_;

@@ -1,6 +1,9 @@
 // The declaration of a node, from header lines, parameter comments and function names.
 #include "graph/node_declaration.h"
 
+#include "graph/drawing.h"
+#include "graph/formula.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,11 +13,12 @@
 namespace fieldwright::graph {
 namespace {
 
-constexpr std::array<std::string_view, 16> reserved_arguments = {"p",     "d",     "a",      "b",  "c",         "acc",
-                                                                 "copy",  "cell",  "time",   "uv", "direction", "child",
-                                                                 "box_a", "box_b", "camera", "sky"};
-constexpr std::array meaning_suffixes = {"distance", "point", "cell",  "blend",    "shows_b", "bounds", "lipschitz",
-                                         "stretch",  "value", "light", "material", "ray",     "sky"};
+constexpr std::array<std::string_view, 18> reserved_arguments = {
+    "p",  "d",         "a",     "b",     "c",     "acc",   "copy",   "cell", "time",
+    "uv", "direction", "child", "box_a", "box_b", "box_c", "camera", "sky",  "steepest"};
+constexpr std::array<std::string_view, 17> meaning_suffixes = {
+    "distance", "point",     "point_a", "point_b", "point_c", "cell",     "blend", "blend_c", "shows_b",
+    "bounds",   "lipschitz", "stretch", "value",   "light",   "material", "ray",   "sky"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word)
@@ -61,6 +65,7 @@ public:
         for (Parameter& parameter : type_.parameters)
             if (parameter.kind != ParameterKind::material) parameter.value_index = values++;
         sockets();
+        formulas();
         promises();
         return std::move(type_);
     }
@@ -110,6 +115,8 @@ private:
         } else if (key == "point") {
             if (value != "affine") fail(line, "`point` is `affine`");
             type_.affine = true;
+        } else if (key == "inputs") {
+            input_titles_ = split(value, ',');
         } else if (key == "combiner") {
             if (value != "hard" && value != "hard associative")
                 fail(line, "`combiner` is `hard` or `hard associative`");
@@ -148,21 +155,55 @@ private:
         std::rotate(numbers, last, type_.parameters.end());
     }
 
-    // `"default"  help` of a text or a formula.
+    // `"default"  help` of a text, `"default" over half_size  help` of a formula.
     void words(const Argument& argument, ParameterKind kind, std::string_view comment)
     {
         std::size_t end = comment.starts_with('"') ? comment.find('"', 1) : std::string_view::npos;
-        if (end == std::string_view::npos || !comment.substr(end + 1).starts_with("  "))
+        std::size_t gap = end == std::string_view::npos ? end : comment.find("  ", end);
+        if (gap == std::string_view::npos)
             fail(argument.line, "the default of `" + argument.name + "` stands in quotes, two spaces before its help");
         Parameter parameter;
         parameter.name = argument.name;
         parameter.kind = kind;
         parameter.type = argument.type;
         parameter.initial = std::string(comment.substr(1, end - 1));
-        parameter.help = trim(comment.substr(end + 1));
+        parameter.help = trim(comment.substr(gap));
+        over(parameter, argument.line, trim(comment.substr(end + 1, gap - end - 1)));
         if (std::string error = value_error(parameter, parameter.initial); !error.empty())
             fail(argument.line, "the default of `" + argument.name + "` " + error);
         type_.parameters.push_back(std::move(parameter));
+    }
+
+    void over(Parameter& parameter, int line, std::string_view words) const
+    {
+        if (words.empty()) return;
+        if (!words.starts_with("over ") || parameter.kind != ParameterKind::formula)
+            fail(line, "after the default of `" + parameter.name + "` stands nothing, or `over` and half a box's size");
+        parameter.over = trim(words.substr(5));
+    }
+
+    void default_formula(const Parameter& parameter) const
+    {
+        ParsedFormula parsed = parse_formula(std::get<std::string>(parameter.initial), type_);
+        if (auto* error = std::get_if<FormulaError>(&parsed))
+            fail(1, "the default of `" + parameter.name + "` cannot be read, " + error->sentence());
+    }
+
+    // A formula over a box knows how steep it is there.
+    void formulas() const
+    {
+        int over = 0;
+        for (const Parameter& parameter : type_.parameters) {
+            if (parameter.kind == ParameterKind::formula) default_formula(parameter);
+            if (parameter.over.empty()) continue;
+            const Parameter* half_size = type_.parameter(parameter.over);
+            if (++over > 1) fail(1, "one formula of a node may be over a box");
+            if (!half_size || half_size->kind != ParameterKind::vec3)
+                fail(1, "the formula `" + parameter.name + "` is over `" + parameter.over + "`, which is no vec3");
+        }
+        for (const Function& function : type_.source.functions)
+            if (argument_named(&function, "steepest") && over == 0)
+                fail(function.line, "`steepest` is the slope of a formula over a box; the node has none");
     }
 
     // Nodes of values have no field inputs, so these letters are theirs.
@@ -233,6 +274,20 @@ private:
             argument.role = static_cast<Role>(1 + std::distance(reserved_arguments.begin(), found));
     }
 
+    void image(const Argument& argument, std::string_view help)
+    {
+        if (argument.type.base != BaseType::list) fail(argument.line, "what is baked from an image is a List");
+        for (const Parameter& other : type_.parameters)
+            if (other.kind == ParameterKind::image) fail(argument.line, "a node has one image");
+        Parameter parameter;
+        parameter.name = argument.name;
+        parameter.kind = ParameterKind::image;
+        parameter.type = argument.type;
+        parameter.initial = std::string();
+        parameter.help = help;
+        type_.parameters.push_back(std::move(parameter));
+    }
+
     // `default [min, max] [soft min, soft max] unit  help`; a material has help only.
     void parameter(const Argument& argument)
     {
@@ -252,6 +307,7 @@ private:
                 fail(argument.line, "what the formula `" + argument.name + "` computes is a float");
             return words(argument, ParameterKind::formula, trim(comment.substr(formula.size())));
         }
+        if (comment.starts_with("image  ")) return image(argument, trim(comment.substr(7)));
         std::size_t gap = comment.find("  ");
         if (gap == std::string_view::npos)
             fail(argument.line, "the comment of `" + argument.name + "` needs two spaces before its help");
@@ -359,15 +415,29 @@ private:
     void field_sockets(const Function* distance, const Function* point)
     {
         const Argument* at = argument_named(point, "p");
-        if (!at) at = argument_named(distance, "p");
+        for (const Function* function :
+             {distance, type_.function("point_a"), type_.function("point_b"), type_.function("point_c")})
+            if (!at) at = argument_named(function, "p");
         type_.output = at ? field_of(at->type) : SocketKind::field_any;
-        SocketKind inner = point ? field_of(point->result) : type_.output;
+        auto inner = [&](const std::string& name) {
+            const Function* own = type_.function("point_" + name);
+            if (!own) own = point;
+            return own ? field_of(own->result) : type_.output;
+        };
         for (const char* name : {"d", "a", "b", "c"})
-            if (argument_named(distance, name)) type_.inputs.push_back({name, inner});
-        if (point && type_.inputs.empty()) type_.inputs.push_back({"d", inner});
+            if (argument_named(distance, name)) type_.inputs.push_back({name, inner(name)});
+        if (point && type_.inputs.empty()) type_.inputs.push_back({"d", inner("d")});
+        name_inputs();
         for (const char* name : {"camera", "sky"})
             if (argument_named(distance, name))
                 type_.inputs.push_back({name, std::string_view(name) == "sky" ? SocketKind::sky : SocketKind::camera});
+    }
+
+    void name_inputs()
+    {
+        if (input_titles_.empty()) return;
+        if (input_titles_.size() != type_.inputs.size()) fail(1, "`inputs` has a word for every field input");
+        for (std::size_t i = 0; i < input_titles_.size(); ++i) type_.inputs[i].title = input_titles_[i];
     }
 
     SocketKind value_kind(const Function& value) const
@@ -394,13 +464,27 @@ private:
         }
     }
 
+    // A drawing is rebuilt on a canvas of so many cells.
+    void drawings() const
+    {
+        for (const Parameter& list : type_.parameters) {
+            if (list.kind != ParameterKind::list || list.unit != drawing_unit) continue;
+            const Parameter* side = type_.parameter(drawing_unit);
+            if (!side || side->kind != ParameterKind::integer)
+                fail(1, "a list in cells needs an int parameter `cells`, the side of its canvas");
+        }
+    }
+
     void promises() const
     {
+        drawings();
         if (!type_.is_field()) return;
         if (!has_quality_) fail(1, "a field node needs a line `// field: exact`, `bound` or `approximate S`");
         if (!type_.function("bounds")) fail(1, "a field node defines `" + type_.name + "_bounds`");
         if (argument_named(type_.function("distance"), "b") && !type_.function("blend"))
             fail(1, "a combiner defines `" + type_.name + "_blend`: the share of b's material");
+        if (argument_named(type_.function("distance"), "c") && !type_.function("blend_c"))
+            fail(1, "a combiner of three defines `" + type_.name + "_blend_c`: the share of c's material");
         if (const Function* shows = type_.function("shows_b"); shows && shows->result.base != BaseType::boolean)
             fail(shows->line, "`" + shows->name + "` returns a bool: whether the share of b is at least a half");
         if (type_.copies > 1 &&
@@ -414,9 +498,10 @@ private:
     NodeType type_;
     std::vector<Argument> header_parameters_;  // declared by header lines; a text has no type
     bool has_quality_ = false;
+    std::vector<std::string> input_titles_;
 };
 
-static_assert(static_cast<std::size_t>(Role::sky) == reserved_arguments.size());
+static_assert(static_cast<std::size_t>(Role::steepest) == reserved_arguments.size());
 
 }  // namespace
 

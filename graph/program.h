@@ -2,6 +2,7 @@
 #pragma once
 
 #include "graph/document.h"
+#include "graph/image_request.h"
 #include "graph/library.h"
 
 #include <memory>
@@ -98,6 +99,8 @@ struct LowerOptions {
     bool ids = true;
     // Whether chains of affine nodes become one matrix. Without, every node's own function is called: exports are read.
     bool fold_moves = true;
+    // What was baked for image_requests(document, library); what is missing here is still being read.
+    const BakedImages* images = nullptr;
 };
 
 // Pure; never throws for a valid document. Problems' nodes count as unconnected.

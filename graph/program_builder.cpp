@@ -86,6 +86,12 @@ ValueId ProgramBuilder::list(const PointList& points, NodeId node, const char* n
     return constant(type, lanes, node, name);
 }
 
+std::size_t ProgramBuilder::list_size(ValueId list) const
+{
+    auto slot = static_cast<std::size_t>(program_.values[static_cast<std::size_t>(list)].slot);
+    return static_cast<std::size_t>(program_.block[slot + 1]);
+}
+
 ValueId ProgramBuilder::input(const Type& type, const char* name) { return add_value(type, Rate::point, {}, name); }
 
 ValueId ProgramBuilder::call(const Function& function, std::span<const ValueId> arguments, NodeId node, bool compiled)
@@ -115,7 +121,12 @@ ValueId ProgramBuilder::call(const Function& function, std::span<const ValueId> 
 
 ValueId ProgramBuilder::call(std::string_view support, std::initializer_list<ValueId> arguments, NodeId node)
 {
-    return call(library().support(support), std::span(arguments.begin(), arguments.size()), node);
+    return call(support, std::span(arguments.begin(), arguments.size()), node);
+}
+
+ValueId ProgramBuilder::call(std::string_view support, std::span<const ValueId> arguments, NodeId node)
+{
+    return call(library().support(support), arguments, node);
 }
 
 std::size_t ProgramBuilder::begin_block(int copies, NodeId node)

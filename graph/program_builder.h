@@ -24,6 +24,7 @@ public:
     }
     ValueId constant_id(std::int64_t id) { return constant(static_cast<float>(id)); }
     ValueId list(const PointList& points, NodeId node, const char* name);
+    std::size_t list_size(ValueId list) const;
     // A point-rate value that a caller or a block sets.
     ValueId input(const Type& type, const char* name);
 
@@ -31,6 +32,7 @@ public:
     // sequence being emitted.
     ValueId call(const Function& function, std::span<const ValueId> arguments, NodeId node, bool compiled = true);
     ValueId call(std::string_view support, std::initializer_list<ValueId> arguments, NodeId node = {});
+    ValueId call(std::string_view support, std::span<const ValueId> arguments, NodeId node = {});
 
     // Blocks of the sequence being emitted.
     std::size_t begin_block(int copies, NodeId node);

@@ -266,7 +266,8 @@ private:
             case ParameterKind::boolean: return json_.boolean(value);
             case ParameterKind::choice:
             case ParameterKind::text:
-            case ParameterKind::formula: return std::string(json_.string(value));
+            case ParameterKind::formula:
+            case ParameterKind::image: return std::string(json_.string(value));
             case ParameterKind::vec2: return vector<2>(value);
             case ParameterKind::vec3:
             case ParameterKind::angles:

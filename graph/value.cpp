@@ -175,7 +175,8 @@ std::optional<Value> parse_value(const Parameter& parameter, std::string_view te
             return std::nullopt;
         case ParameterKind::choice:
         case ParameterKind::text:
-        case ParameterKind::formula: return std::string(text);
+        case ParameterKind::formula:
+        case ParameterKind::image: return std::string(text);
         case ParameterKind::list: return point_list(text);
         case ParameterKind::material: break;
     }
@@ -221,6 +222,9 @@ std::string value_error(const Parameter& parameter, const Value& value)
         case ParameterKind::formula:
             if (auto* text = of_kind<std::string>(value)) return text_error(*text);
             return "must be text in quotes";
+        case ParameterKind::image:
+            if (auto* path = of_kind<std::string>(value)) return text_error(*path);
+            return "must be a file's path in quotes";
         case ParameterKind::material: break;
     }
     return "is a socket and has no value";

@@ -58,6 +58,7 @@ std::string title_inside(const Node& node, const Library& library)
 std::string socket_label(const NodeType* type, std::string_view socket)
 {
     if (type && type->parameter(socket)) return in_words(socket);
+    if (const Socket* found = type ? type->input(socket) : nullptr; found && !found->title.empty()) return found->title;
     if (socket == "d") return "Shape";
     if (socket == "a") return "First shape";
     if (socket == "b") return "Second shape";

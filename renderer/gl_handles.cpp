@@ -2,7 +2,6 @@
 #include "renderer/gl_handles.h"
 
 #include "graph/library.h"
-#include "graph/problem.h"
 
 #include <vector>
 
@@ -24,12 +23,6 @@ std::string first_line(const std::string& log)
     return log.substr(start, log.find_first_of("\r\n\0", start) - start);
 }
 
-[[noreturn]] void refuse(const std::string& log)
-{
-    throw graph::Failure(6, "the graphics driver refuses the shader of this scene: " + first_line(log) +
-                                "; check the node files it is made of");
-}
-
 void attach(GLuint program, GLenum stage, const std::string& text)
 {
     GLuint shader = glCreateShader(stage);
@@ -42,7 +35,7 @@ void attach(GLuint program, GLenum stage, const std::string& text)
     if (!compiled) glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
     glAttachShader(program, shader);
     glDeleteShader(shader);
-    if (!compiled) refuse(log.c_str());
+    if (!compiled) throw ShaderRefused(log.c_str());
 }
 
 }  // namespace
@@ -64,6 +57,13 @@ GLuint VertexArrayKind::make()
     return generated([](GLsizei n, GLuint* name) { glGenVertexArrays(n, name); });
 }
 
+ShaderRefused::ShaderRefused(const std::string& driver_log)
+    : graph::Failure(6, "the graphics driver refuses the shader of this scene: " + first_line(driver_log) +
+                            "; check the node files it is made of"),
+      log(driver_log)
+{
+}
+
 Shader::Shader(const std::string& fragment_text)
 {
     attach(program_.name(), GL_VERTEX_SHADER, graph::embedded_texts().at("gpu/triangle.glsl"));
@@ -74,11 +74,17 @@ Shader::Shader(const std::string& fragment_text)
     if (linked) return;
     std::string log(4096, '\0');
     glGetProgramInfoLog(program_.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
-    refuse(log.c_str());
+    throw ShaderRefused(log.c_str());
 }
 
 void FloatTexture::upload(const float* data, std::size_t count)
 {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    if (count > static_cast<std::size_t>(limit))
+        throw graph::Failure(1, "the lists and pictures of this scene hold " + std::to_string(count) +
+                                    " vectors, more than this GPU's limit of " + std::to_string(limit) +
+                                    "; lower the detail of its pictures or choose --device cpu");
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
     glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(count * 4 * sizeof(float)), data, GL_DYNAMIC_DRAW);
     glBindTexture(GL_TEXTURE_BUFFER, texture_.name());

@@ -1,6 +1,7 @@
 // Move-only owners of GL objects; the context that made them must be current when they die.
 #pragma once
 
+#include "graph/problem.h"
 #include "renderer/frame.h"
 
 #include <epoxy/gl.h>
@@ -57,10 +58,16 @@ using Buffer = GlHandle<BufferKind>;
 using Framebuffer = GlHandle<FramebufferKind>;
 using VertexArray = GlHandle<VertexArrayKind>;
 
+// The driver does not take a shader; its words in full are the log.
+struct ShaderRefused : graph::Failure {
+    explicit ShaderRefused(const std::string& log);
+    std::string log;
+};
+
 // A linked program: the full-screen triangle and one fragment shader.
 class Shader {
 public:
-    explicit Shader(const std::string& fragment_text);  // throws graph::Failure{6} with the driver's first sentence
+    explicit Shader(const std::string& fragment_text);  // throws ShaderRefused, whose sentence has the log's first line
 
     void use() const { glUseProgram(program_.name()); }
     GLint uniform(const char* name) const { return glGetUniformLocation(program_.name(), name); }
@@ -76,7 +83,7 @@ private:
 // RGBA float vectors that a shader reads by index (samplerBuffer).
 class FloatTexture {
 public:
-    void upload(const float* data, std::size_t count);  // count: vec4s, at least one
+    void upload(const float* data, std::size_t count);  // count: vec4s, at least one; graph::Failure{1}: too many
     void bind(int unit) const;
 
 private:

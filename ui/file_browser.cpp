@@ -27,8 +27,15 @@ Purpose purpose(Then then)
         case Then::save_as: return {"Save the scene as", "Save", ".scene.json"};
         case Then::export_shader: return {"Export the shader to", "Export", ".glsl"};
         case Then::export_picture: return {"Export the picture to", "Export", ".png"};
+        case Then::picture: return {"Choose a picture", "Choose", "picture"};
     }
     return {"", "", ""};
+}
+
+std::vector<std::string> suffixes(Then then)
+{
+    if (then == Then::picture) return {".png", ".jpg", ".jpeg", ".hdr", ".exr", ".tif", ".tiff"};
+    return {purpose(then).suffix};
 }
 
 Request request_for(const ChooseFile& what, std::string path)
@@ -37,6 +44,7 @@ Request request_for(const ChooseFile& what, std::string path)
         case Then::open: return OpenFile{std::move(path)};
         case Then::save_as: return SaveFileAs{std::move(path)};
         case Then::export_shader: return ExportFile{std::move(path), what.target};
+        case Then::picture: return UsePicture{std::move(path), what.node};
         case Then::export_picture: break;
     }
     return ExportPicture{std::move(path)};
@@ -77,7 +85,7 @@ void FileBrowser::go_to(const fs::path& folder)
 
 void FileBrowser::refresh()
 {
-    listing_ = list_folder(folder_, all_files_ ? "" : purpose(what_.then).suffix);
+    listing_ = list_folder(folder_, all_files_ ? std::vector<std::string>() : suffixes(what_.then));
     error_ = listing_.error;
 }
 

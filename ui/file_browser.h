@@ -15,7 +15,7 @@ public:
     void draw(FrameContext& frame, bool shown);
 
 private:
-    bool saving() const { return what_.then != ChooseFile::Then::open; }
+    bool saving() const { return what_.then != ChooseFile::Then::open && what_.then != ChooseFile::Then::picture; }
     void go_to(const std::filesystem::path& folder);
     void refresh();
     void go_up();

@@ -21,9 +21,19 @@ bool before(const FolderEntry& a, const FolderEntry& b)
     return less || (!more && a.name < b.name);
 }
 
+bool ends_in_one(const std::string& name, const std::vector<std::string>& suffixes)
+{
+    auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    return suffixes.empty() || std::any_of(suffixes.begin(), suffixes.end(), [&](const std::string& suffix) {
+               return suffix.size() <= name.size() && std::equal(suffix.rbegin(), suffix.rend(), name.rbegin(), same);
+           });
+}
+
 }  // namespace
 
-FolderListing list_folder(const fs::path& folder, const std::string& suffix)
+FolderListing list_folder(const fs::path& folder, const std::vector<std::string>& suffixes)
 {
     FolderListing listing;
     std::error_code error;
@@ -32,7 +42,7 @@ FolderListing list_folder(const fs::path& folder, const std::string& suffix)
         std::string name = at->path().filename().string();
         std::error_code unknown;  // a link to nowhere is neither
         bool is_folder = at->is_directory(unknown), is_file = at->is_regular_file(unknown);
-        if (name.starts_with('.') || (!is_folder && !(is_file && name.ends_with(suffix)))) continue;
+        if (name.starts_with('.') || (!is_folder && !(is_file && ends_in_one(name, suffixes)))) continue;
         listing.entries.push_back({std::move(name), is_folder});
     }
     if (error) listing.error = "Cannot read " + folder.string() + ": " + error.message() + ".";

@@ -18,8 +18,8 @@ struct FolderListing {
     std::string error;                 // why it could not be read, as a sentence; empty when it was
 };
 
-// Folders, and the files whose name ends in `suffix`.
-FolderListing list_folder(const std::filesystem::path& folder, const std::string& suffix);
+// Folders, and the files whose name ends in one of the suffixes, in capitals or not; all files without any.
+FolderListing list_folder(const std::filesystem::path& folder, const std::vector<std::string>& suffixes);
 // Empty when it was made; else why not, as a sentence.
 std::string make_folder(const std::filesystem::path& path);
 // The nearest folder at or above `path` that is there; the root at the end.

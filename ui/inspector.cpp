@@ -1,6 +1,7 @@
 // Drawing the active node: its parameters, help and problems.
 #include "ui/inspector.h"
 
+#include "ui/blend_plot.h"
 #include "ui/node_words.h"
 #include "ui/number_text.h"
 #include "ui/parameter_rows.h"
@@ -133,6 +134,8 @@ void active_node(FrameContext& frame, graph::NodeId id)
     }
     ImGui::Dummy({0, 0});
     parameter_rows(frame, "inspector", id);
+    if (auto curve = frame.readings.blend_of ? frame.readings.blend_of(id) : std::nullopt)
+        blend_plot(frame, "inspector/blend", *curve);
     if (has_inputs(*type)) {
         section(frame, "Inputs");
         input_rows(frame, "inspector", id);

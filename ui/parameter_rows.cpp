@@ -1,8 +1,12 @@
 // A row by the kind of its parameter; every change goes through graph::set_parameter.
 #include "ui/parameter_rows.h"
 
+#include "graph/contours.h"
+#include "graph/known_types.h"
 #include "ui/colour_field.h"
 #include "ui/commands.h"
+#include "ui/curve_field.h"
+#include "ui/drawing_field.h"
 #include "ui/node_words.h"
 #include "ui/number_field.h"
 #include "ui/number_text.h"
@@ -177,19 +181,45 @@ void text_row(const Row& row)
     if (changed) row.write(std::move(text));
 }
 
-void formula_row(const Row& row)
+// The file's name; a click chooses another.
+void image_row(const Row& row)
 {
-    auto formula = value_of<std::string>(row);
-    bool changed = formula_field(row.frame, "##formula", formula, row.width_px);
+    const Theme& theme = row.frame.theme;
+    auto path = value_of<std::string>(row);
+    std::string name = path.substr(path.find_last_of('/') + 1);
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    bool pressed = ImGui::InvisibleButton("choose", {row.width_px, theme.row()});
     row.mark();
-    if (changed) row.write(std::move(formula));
+    bool hovered = ImGui::IsItemHovered();
+    tooltip(row.frame, path.empty() ? "Choose a picture file" : path + "\nChoose another picture file");
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, {low.x + row.width_px, low.y + theme.row()},
+                       ImGui::GetColorU32(hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), theme.px(4));
+    float y = low.y + std::floor(0.5f * (theme.row() - ImGui::GetFontSize()));
+    draw.AddText({low.x + theme.px(8), y}, colour::quiet_text, icon::folder);
+    std::string words = fitted(path.empty() ? "Choose\u2026" : name, row.width_px - theme.px(36));
+    draw.AddText({low.x + theme.px(28), y}, colour::text, words.c_str());
+    if (pressed) row.frame.requests.push_back(ChooseFile{ChooseFile::Then::picture, {}, row.node.id});
+}
+
+bool is_drawing(const Parameter& parameter)
+{
+    return parameter.kind == ParameterKind::list && parameter.unit == graph::drawing_unit;
+}
+
+// Drawings are painted, and outlines made from a text.
+bool has_table(const Parameter& parameter)
+{
+    bool outlines = parameter.unit == graph::contour_unit;
+    return parameter.kind == ParameterKind::list && !outlines && !is_drawing(parameter);
 }
 
 void list_row(const Row& row)
 {
     auto points = value_of<graph::PointList>(row);
-    line_text(row.frame, std::to_string(points.size()) + (points.size() == 1 ? " point" : " points"),
-              colour::quiet_text, row.width_px);
+    std::string count = std::to_string(points.size()) + (points.size() == 1 ? " point" : " points");
+    line_text(row.frame, is_drawing(row.parameter) ? drawing_words(row.node, points) : count, colour::quiet_text,
+              row.width_px);
     row.mark();
 }
 
@@ -242,7 +272,8 @@ void value_field(const Row& row)
         case ParameterKind::material: return material_row(row);
         case ParameterKind::list: return list_row(row);
         case ParameterKind::text: return text_row(row);
-        case ParameterKind::formula: return formula_row(row);
+        case ParameterKind::image: return image_row(row);
+        case ParameterKind::formula: break;  // needs more than its place in the row
     }
 }
 
@@ -263,8 +294,42 @@ std::string label_of(const FrameContext& frame, const Parameter& parameter)
 {
     int count = component_count(parameter.kind);
     bool without_unit = count > 1 && !vector_is_stacked(frame.theme, count, usual_field_width(frame));
+    if (parameter.kind == ParameterKind::list && !has_table(parameter)) without_unit = false;
     std::string unit = parameter.unit == "deg" ? "°" : parameter.unit;
     return in_words(parameter.name) + (without_unit && !unit.empty() ? " (" + unit + ")" : "");
+}
+
+void reset_button(const Row& row)
+{
+    if (!differs(row)) return;
+    to_row_end(row.frame);
+    if (icon_button(row.frame, "reset", icon::undo, "Reset to the default")) row.write(row.parameter.initial, "Reset");
+    row.mark("reset");
+}
+
+// The formula has a line of its own: they are long.
+void formula_row(const Row& row)
+{
+    const graph::NodeType& type = *row.library().type(row.node.type);
+    line_text(row.frame, "of " + formula_name_list(type), colour::quiet_text, row.width_px);
+    FormulaField field =
+        formula_field(row.frame, row.path, type, value_of<std::string>(row), row_field_width(row.frame));
+    tooltip(row.frame, formula_words(type));
+    if (field.keep) row.write(field.shown);
+    else reset_button(row);
+    formula_complaint(row.frame, row.path, type, field.shown);
+}
+
+// What stands below the row of a list: its points, to be dragged, or its drawing.
+void points_below(const Row& row)
+{
+    if (is_drawing(row.parameter)) return drawing_field(row.frame, row.path, row.node.id, row.parameter);
+    if (!has_table(row.parameter)) return;
+    auto points = value_of<graph::PointList>(row);
+    bool is_curve = row.node.type == graph::known_types::curve;
+    bool changed = is_curve ? curve_field(row.frame, row.path, row.node, row.parameter, points)
+                            : points_field(row.frame, row.path, row.parameter, points);
+    if (changed) row.write(std::move(points));
 }
 
 void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id, const Parameter& parameter)
@@ -276,17 +341,12 @@ void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id,
     row.width_px = begin_row(frame, row.title, parameter_tip(parameter));
     if (graph::NodeId source = node->input(parameter.name)) {
         source_field(frame, row.path, *node, parameter.name, source, row.width_px);
+    } else if (parameter.kind == ParameterKind::formula) {
+        formula_row(row);
     } else {
         value_field(row);
-        if (differs(row)) {
-            to_row_end(frame);
-            if (icon_button(frame, "reset", icon::undo, "Reset to the default")) row.write(parameter.initial, "Reset");
-            row.mark("reset");
-        }
-        if (parameter.kind == ParameterKind::list) {
-            auto points = value_of<graph::PointList>(row);
-            if (points_field(frame, row.path, parameter, points)) row.write(std::move(points));
-        }
+        reset_button(row);
+        if (parameter.kind == ParameterKind::list) points_below(row);
     }
     ImGui::PopID();
 }

@@ -118,8 +118,22 @@ struct Wish {
     std::size_t index = 0;
 };
 
+void swap_buttons(FrameContext& frame, const std::string& path, std::size_t index, std::size_t count, Wish& wish)
+{
+    ImGui::BeginDisabled(index == 0);
+    if (icon_button(frame, "up", icon::arrow_up, "Move up")) wish = {Wish::Kind::swap_with_next, index - 1};
+    ImGui::EndDisabled();
+    frame.rects.mark(path + "/up");
+    ImGui::SameLine(0, 0);
+    ImGui::BeginDisabled(index + 1 == count);
+    if (icon_button(frame, "down", icon::arrow_down, "Move down")) wish = {Wish::Kind::swap_with_next, index};
+    ImGui::EndDisabled();
+    frame.rects.mark(path + "/down");
+    ImGui::SameLine(0, 0);
+}
+
 bool point_row(FrameContext& frame, const std::string& path, std::size_t index, const graph::Parameter& parameter,
-               graph::PointList& points, Wish& wish)
+               graph::PointList& points, PointOrder order, Wish& wish)
 {
     const Theme& theme = frame.theme;
     float number_width = theme.px(24);
@@ -134,19 +148,11 @@ bool point_row(FrameContext& frame, const std::string& path, std::size_t index, 
     ImGui::SameLine(0, 0);
     NumberStyle style = number_style(parameter);
     style.soft_minimum = -1e6, style.soft_maximum = 1e6;
-    style.width_px = std::max(ImGui::GetContentRegionAvail().x - 3 * theme.row() - theme.gap(), theme.px(90));
+    float buttons = order == PointOrder::free ? 3 : 1;
+    style.width_px = std::max(ImGui::GetContentRegionAvail().x - buttons * theme.row() - theme.gap(), theme.px(90));
     bool changed = vector_field(frame, path, "Point " + number, &points[index].x, 2, style);
     ImGui::SameLine(0, theme.gap());
-    ImGui::BeginDisabled(index == 0);
-    if (icon_button(frame, "up", icon::arrow_up, "Move up")) wish = {Wish::Kind::swap_with_next, index - 1};
-    ImGui::EndDisabled();
-    frame.rects.mark(path + "/up");
-    ImGui::SameLine(0, 0);
-    ImGui::BeginDisabled(index + 1 == points.size());
-    if (icon_button(frame, "down", icon::arrow_down, "Move down")) wish = {Wish::Kind::swap_with_next, index};
-    ImGui::EndDisabled();
-    frame.rects.mark(path + "/down");
-    ImGui::SameLine(0, 0);
+    if (order == PointOrder::free) swap_buttons(frame, path, index, points.size(), wish);
     if (icon_button(frame, "delete", icon::trash, "Delete this point")) wish = {Wish::Kind::remove, index};
     frame.rects.mark(path + "/delete");
     return changed;
@@ -163,11 +169,11 @@ bool fulfil(const Wish& wish, graph::PointList& points)
 
 }  // namespace
 
-bool points_field(FrameContext& frame, std::string_view path, const graph::Parameter& parameter,
-                  graph::PointList& points)
+bool points_table(FrameContext& frame, std::string_view path, const graph::Parameter& parameter,
+                  graph::PointList& points, PointOrder order)
 {
     ImGui::PushID("points");
-    bool changed = picture(frame, path, parameter, points);
+    bool changed = false;
     Wish wish;
     // Only the rows in view: a list may hold thousands.
     ImGuiListClipper clipper;
@@ -176,7 +182,7 @@ bool points_field(FrameContext& frame, std::string_view path, const graph::Param
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             ImGui::PushID(i);
             changed |= point_row(frame, std::string(path) + "/" + std::to_string(i), static_cast<std::size_t>(i),
-                                 parameter, points, wish);
+                                 parameter, points, order, wish);
             ImGui::PopID();
         }
     changed |= fulfil(wish, points);
@@ -191,6 +197,15 @@ bool points_field(FrameContext& frame, std::string_view path, const graph::Param
     frame.rects.mark(std::string(path) + "/add");
     ImGui::PopID();
     return changed;
+}
+
+bool points_field(FrameContext& frame, std::string_view path, const graph::Parameter& parameter,
+                  graph::PointList& points)
+{
+    ImGui::PushID("picture");
+    bool changed = picture(frame, path, parameter, points);
+    ImGui::PopID();
+    return points_table(frame, path, parameter, points, PointOrder::free) || changed;
 }
 
 }  // namespace fieldwright::ui

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,19 @@ struct Measured {  // the box around a surface; unbounded sides are 1e6
     glm::vec3 centre{0}, half_size{0};
 };
 
+// A smooth combiner over the difference of its two distances, computed by its own function.
+struct BlendCurve {
+    float size = 0;             // m: it blends where the two distances differ by less
+    bool of_sum = false;        // b counts from its inside, as it is taken away: the axis is a + b
+    std::vector<float> across;  // a - b, or a + b, m; evenly spaced
+    std::vector<float> a, b;    // m; b with its sign turned when `of_sum`
+    std::vector<float> result;  // m
+    std::vector<float> slope;   // of the result by that of a: 1 all a, -1 all b
+};
+
+// Cells of drawings that a solid made of them does not show, by the drawing's node; from its lower left corner.
+using MissedCells = std::map<graph::NodeId, std::vector<glm::ivec2>>;
+
 struct RecentFile {
     std::string path;
     bool missing = false;
@@ -49,9 +63,10 @@ struct Recovered {  // an autosave that a crash left behind
 struct Readings {
     // Lowered from the document of this frame.
     std::shared_ptr<const graph::Program> program;
-    std::vector<graph::Problem> problems;            // the program's, the compiler's and the hot reload's
-    std::shared_ptr<const std::string> shader_text;  // live GLSL of the shown scene; null while none was asked for
-    std::vector<std::string> export_targets;         // "glsl", "shadertoy"
+    std::vector<graph::Problem> problems;             // the program's, the compiler's and the hot reload's
+    std::shared_ptr<const MissedCells> missed_cells;  // null while nobody looked
+    std::shared_ptr<const std::string> shader_text;   // live GLSL of the shown scene; null while none was asked for
+    std::vector<std::string> export_targets;          // "glsl", "shadertoy"
 
     PictureReading picture;
     std::vector<std::string> view_names, stereo_names;  // of `ViewState::view` and `stereo`
@@ -60,6 +75,7 @@ struct Readings {
     std::function<std::optional<float>(int x, int y)> depth_at;  // m along the view axis; nothing on a miss
     // In the node's own space, before what its readers do to it. NodeId{} = the whole scene.
     std::function<std::optional<Measured>(graph::NodeId)> bounds_of;
+    std::function<std::optional<BlendCurve>(graph::NodeId)> blend_of;  // of a smooth combiner; nothing of others
 
     // History.
     std::vector<std::string> step_names;  // "start" first

@@ -28,8 +28,14 @@ struct ExportPicture {
 };  // the viewport's picture, full size, as PNG
 // Asks for a path by the system's dialog, or the built-in browser where there is none; the answer comes back as `then`.
 struct ChooseFile {
-    enum class Then { open, save_as, export_shader, export_picture } then;
-    std::string target;  // of export_shader
+    enum class Then { open, save_as, export_shader, export_picture, picture } then;
+    std::string target;    // of export_shader
+    graph::NodeId node{};  // of picture: whose
+};
+// A picture file for an image node, or for a new one when none is named.
+struct UsePicture {
+    std::string path;
+    graph::NodeId node;
 };
 struct ForgetRecent {};
 struct Undo {};
@@ -46,6 +52,6 @@ struct DiscardRecovered {
 struct Quit {};
 
 using Request = std::variant<NewScene, OpenFile, OpenExample, SaveFile, SaveFileAs, ExportFile, ExportPicture,
-                             ChooseFile, ForgetRecent, Undo, Redo, JumpTo, Recover, DiscardRecovered, Quit>;
+                             UsePicture, ChooseFile, ForgetRecent, Undo, Redo, JumpTo, Recover, DiscardRecovered, Quit>;
 
 }  // namespace fieldwright::ui

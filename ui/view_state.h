@@ -1,6 +1,7 @@
 // How the window looks at the document: saved with the session, neither undone nor part of the scene.
 #pragma once
 
+#include "ui/drawing_view.h"
 #include "ui/selection.h"
 #include "ui/view_camera.h"
 
@@ -44,6 +45,7 @@ struct ViewState {
     double loop_s = 10;  // playing starts again here
 
     Selection selection;
+    DrawingView drawing;
     graph::NodeId frame_request;  // the canvas is to bring this node into view; cleared when done
     bool add_request = false;     // the add menu is to open; cleared when done
     std::string hint;             // about what is under the mouse, for the status line; its part writes it every frame

@@ -31,6 +31,7 @@ protected:
             .rects = rects,
             .settled = true,
             .take_screenshot = [&](const std::filesystem::path& path) { screenshots.push_back(path.string()); },
+            .drop = [&](const std::filesystem::path& path) { dropped.push_back(path.string()); },
             .resize = [&](glm::ivec2 wanted) { size = wanted; },
             .quit = [&] { quit = true; },
         };
@@ -47,7 +48,7 @@ protected:
 
     ui::InputQueue input;
     ui::WidgetRects rects;
-    std::vector<std::string> screenshots;
+    std::vector<std::string> screenshots, dropped;
     glm::ivec2 size{0, 0};
     bool quit = false;
 
@@ -113,7 +114,8 @@ TEST_F(ScriptTest, a_drag_moves_in_steps_between_press_and_release)
 
 TEST_F(ScriptTest, the_window_is_asked_for_pictures_sizes_and_its_end)
 {
-    played(script("settle\nscreenshot a.png\nresize 640x480\nquit\n"));
+    played(script("settle\nscreenshot a.png\ndrop b.png\nresize 640x480\nquit\n"));
+    EXPECT_EQ(dropped, std::vector<std::string>{"b.png"});
     EXPECT_EQ(screenshots, std::vector<std::string>{"a.png"});
     EXPECT_EQ(size, glm::ivec2(640, 480));
     EXPECT_TRUE(quit);

@@ -95,6 +95,29 @@ TEST(Text, is_untouched_by_a_drag_of_any_number_of_any_type)
     }
 }
 
+TEST(Text, is_untouched_by_the_numbers_of_a_formula)
+{
+    auto library = graph::Library::embedded();
+    for (const char* name : {"implicit", "expression"}) {
+        Starter starter(*library->type(name), library);
+        auto text = [&](const char* formula) {
+            starter.scene.set(starter.subject, "formula", std::string(formula));
+            return fragment(starter.scene, Placement::buffer);
+        };
+        std::string before = text("2 * x + sin(3 * y) - 0.5");
+        EXPECT_EQ(text("0.25 * x + sin(7 * y) - 9"), before) << name;
+        EXPECT_NE(text("0.25 * x + cos(7 * y) - 9"), before) << name;
+    }
+}
+
+TEST(Text, has_the_operations_of_formulas_only_where_they_are_used)
+{
+    auto library = graph::Library::embedded();
+    Starter sphere(*library->type("sphere"), library), implicit(*library->type("implicit"), library);
+    EXPECT_EQ(fragment(sphere.scene, Placement::buffer).find("formula_add"), std::string::npos);
+    EXPECT_NE(fragment(implicit.scene, Placement::buffer).find("formula_add"), std::string::npos);
+}
+
 TEST(Text, evaluates_a_shared_child_once)
 {
     Scene scene;

@@ -264,7 +264,7 @@ Scene random_scene(unsigned seed)
         if (type.category == "output") continue;
         NodeId node = scene.add(type.name);
         for (const graph::Socket& socket : type.inputs) {
-            bool field = socket.name == "d" || socket.name == "a" || socket.name == "b";
+            bool field = socket.name == "d" || socket.name == "a" || socket.name == "b" || socket.name == "c";
             for (int attempt = 0; attempt < (field ? 20 : 1) && !nodes.empty(); ++attempt)
                 if (!graph::connect(scene.document, *scene.library, nodes[below(nodes.size())], node, socket.name))
                     break;

@@ -75,6 +75,16 @@ float nearest(const Outline& outline, vec2 p)
     return std::sqrt(squared);
 }
 
+// Tips thinner than the finest grid: the field leads from p to a point of the outline that the grid has not seen.
+bool leads_to_the_outline(const Field& field, vec3 p, float distance, float within)
+{
+    constexpr float step = 1e-3f;
+    std::vector<vec3> around = {p + vec3(step, 0, 0), p - vec3(step, 0, 0), p + vec3(0, step, 0), p - vec3(0, step, 0)};
+    std::vector<float> there = field.at(around);
+    vec3 uphill = vec3(there[0] - there[1], there[2] - there[3], 0) / (2 * step);
+    return std::abs(field.at(std::vector{p - distance * uphill})[0]) < within;
+}
+
 TEST(ExactShapes, give_the_distance_to_the_nearest_point_of_their_outline)
 {
     int shapes = 0;
@@ -96,7 +106,10 @@ TEST(ExactShapes, give_the_distance_to_the_nearest_point_of_their_outline)
                 bool unbounded = field.lane(field.program.bounds, 3) > 8;
                 if (unbounded || (distances[i] < 0 && type->quality_inside != Quality::exact)) continue;
                 float expected = nearest(outline, vec2(points[i]));
-                ASSERT_NEAR(std::abs(distances[i]), expected, 0.01f * expected + 2 * outline.spacing)
+                float slack = 0.01f * expected + 2 * outline.spacing, found = std::abs(distances[i]);
+                if (found < expected - slack && leads_to_the_outline(field, points[i], distances[i], 0.2f * slack))
+                    expected = found;
+                ASSERT_NEAR(found, expected, slack)
                     << type->name << " variant " << number << " at " << points[i].x << " " << points[i].y;
             }
         }

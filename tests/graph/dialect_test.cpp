@@ -66,6 +66,64 @@ TEST(Dialect, ASignatureIsTheDeclarationOfItsNode)
     EXPECT_EQ(type.inputs.size(), 2u);
 }
 
+TEST(Dialect, inputs_may_have_points_and_titles_of_their_own)
+{
+    const std::string text =
+        "// Bad: a test.\n// field: bound\n// inputs: Front, Inner part\n"
+        "vec2 bad_point_a(vec3 p)\n{\n    return vec2(p.x, p.y);\n}\n"
+        "float bad_distance(float a, float b)\n{\n    return max(a, b);\n}\n"
+        "float bad_blend(float a, float b)\n{\n    return a;\n}\n"
+        "Box bad_bounds()\n{\n    return everywhere();\n}\n";
+    NodeType type = declare(text, "nodes/convert/bad.glsl");
+    EXPECT_EQ(type.output, SocketKind::field3d);
+    ASSERT_EQ(type.inputs.size(), 2u);
+    EXPECT_EQ(type.inputs[0].kind, SocketKind::field2d);
+    EXPECT_EQ(type.inputs[0].title, "Front");
+    EXPECT_EQ(type.inputs[1].kind, SocketKind::field3d);
+    EXPECT_EQ(type.inputs[1].title, "Inner part");
+    std::string one_word = text;
+    one_word.replace(one_word.find(", Inner part"), 12, "");
+    EXPECT_NE(refusal(one_word).find("a word for every field input"), std::string::npos);
+}
+
+TEST(Dialect, a_combiner_of_three_says_how_much_of_the_third_shows)
+{
+    std::string text =
+        "// Bad: a test.\n// field: bound\n"
+        "float bad_distance(float a, float b, float c)\n{\n    return max(a, max(b, c));\n}\n"
+        "float bad_blend(float a, float b)\n{\n    return a;\n}\n"
+        "Box bad_bounds()\n{\n    return everywhere();\n}\n";
+    EXPECT_NE(refusal(text).find("`bad_blend_c`"), std::string::npos);
+    EXPECT_EQ(refusal(text + "float bad_blend_c(float c)\n{\n    return c;\n}\n"), "accepted");
+}
+
+TEST(Dialect, loops_that_leave_off_at_the_end_of_a_list_are_counted_apart)
+{
+    SourceFile file = parse_source("nodes/shape2d/x.glsl",
+                                   "// X: a test.\nfloat x_sum(List points)\n{\n    float sum = 0.0f;\n"
+                                   "    for (int i = 0; i < 64; i++) {\n        // Until here.\n"
+                                   "        if (i >= points.count) {\n            break;\n        }\n"
+                                   "        sum += list_at(points, i).x;\n    }\n"
+                                   "    for (int i = 0; i < 5; i++) { sum += 1.0f; }\n    return sum;\n}\n"
+                                   "float x_twice(List points)\n{\n    return x_sum(points) + x_sum(points);\n}\n");
+    EXPECT_EQ(file.functions[0].loop_iterations, 64 + 5);
+    EXPECT_EQ(file.functions[0].list_iterations, 64);
+    EXPECT_EQ(file.functions[0].list_loops, 1);
+    EXPECT_EQ(file.functions[1].loop_iterations, 2 * 69);
+    EXPECT_EQ(file.functions[1].list_loops, 2);
+}
+
+TEST(Dialect, a_list_in_cells_needs_a_canvas)
+{
+    auto text = [](const std::string& more) {
+        return "// Bad: a test.\n// field: bound\nfloat bad_distance(\n    vec2 p,\n" + more +
+               "    List points)  // [] [-64, 64] cells  Rectangles.\n{\n    return p.x;\n}\n"
+               "Box bad_bounds()\n{\n    return everywhere();\n}\n";
+    };
+    EXPECT_NE(refusal(text("")).find("int parameter `cells`"), std::string::npos);
+    EXPECT_EQ(refusal(text("    int cells,  // 16 [1, 64]  Side of the canvas.\n")), "accepted");
+}
+
 TEST(Dialect, LoopIterationsMultiplyThroughNestingAndCalls)
 {
     SourceFile file = parse_source(
@@ -170,6 +228,28 @@ TEST(Dialect, TextsFormulasAndNumbersOfTheHeaderAreParameters)
     EXPECT_EQ(type.help, "A test.");
 }
 
+TEST(Dialect, AnImageIsAPathWhoseFunctionReceivesAList)
+{
+    auto node = [](const std::string& arguments) {
+        return "// Bad: a test.\n// field: exact\nfloat bad_distance(\n    vec2 p,\n    " + arguments +
+               "{\n    return p.x;\n}\nBox bad_bounds() { return make_box(vec3(0.0f), vec3(1.0f)); }\n";
+    };
+    NodeType type = declare(node("List photo)  // image  The file.\n"), "nodes/shape2d/bad.glsl");
+    ASSERT_EQ(type.parameters.size(), 1u);
+    EXPECT_EQ(type.parameters[0].kind, ParameterKind::image);
+    EXPECT_EQ(type.parameters[0].initial, Value(std::string()));
+    EXPECT_EQ(type.parameters[0].help, "The file.");
+    EXPECT_TRUE(type.inputs.empty());
+    EXPECT_EQ(value_error(type.parameters[0], std::string("a/b.png")), "");
+    EXPECT_NE(value_error(type.parameters[0], std::string("a\x01")), "");
+    EXPECT_NE(value_error(type.parameters[0], 1.0f), "");
+    EXPECT_NE(refusal(node("float photo)  // image  It.\n"), "nodes/shape2d/bad.glsl").find("is a List"),
+              std::string::npos);
+    EXPECT_NE(refusal(node("List a1,  // image  It.\n    List a2)  // image  It.\n"), "nodes/shape2d/bad.glsl")
+                  .find("a node has one image"),
+              std::string::npos);
+}
+
 TEST(Dialect, WordsStandInQuotes)
 {
     auto with = [](const std::string& line, const std::string& comment) {
@@ -183,6 +263,9 @@ TEST(Dialect, WordsStandInQuotes)
     EXPECT_NE(with("// text p: \"\"  It.", "1.0  It.").find("reserved"), std::string::npos);
     EXPECT_NE(with("// text x: \"\"  It.", "1.0  It.").find("twice"), std::string::npos);
     EXPECT_NE(with("// synonyms: y", "formula x  It.").find("stands in quotes"), std::string::npos);
+    EXPECT_NE(with("// synonyms: y", "formula \"x +\"  It.").find("column 4: a number"), std::string::npos);
+    EXPECT_NE(with("// synonyms: y", "formula \"x\" over a  It.").find("which is no vec3"), std::string::npos);
+    EXPECT_NE(with("// synonyms: y", "formula \"x\" under a  It.").find("`over`"), std::string::npos);
 }
 
 TEST(Dialect, TextsAreUtf8WithoutControlCharacters)

@@ -97,6 +97,12 @@ const std::map<std::string, Make>& scenes()
         };
         made["project"] = [](Scene& s) { return wired(s, "extrude", wired(s, "project", s.node("torus_knot"))); };
         made["slice"] = [](Scene& s) { return wired(s, "extrude", wired(s, "slice", s.node("torus"))); };
+        made["three_extrusions"] = [](Scene& s) {
+            NodeId square = s.node("rectangle", {{"half_size", vec2(0.6f)}}),
+                   round = s.node("circle", {{"radius", 0.6f}}),
+                   pointed = s.node("isosceles_triangle", {{"half_width", 0.6f}, {"height", 1.2f}});
+            return s.node("three_extrusions", {{"a", pointed}, {"b", square}, {"c", round}});
+        };
         // What shows only where something is cut, or cuts.
         made["nested_shells"] = [](Scene& s) {
             return wired(s, "clip_plane", wired(s, "nested_shells", s.node("box")));

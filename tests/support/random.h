@@ -59,7 +59,8 @@ inline std::string random_words(Random& random, const graph::Parameter& paramete
     static const std::vector<std::string> texts = {"", "Ag", "a \"b\" \\ */ #define",
                                                    "Gr\u00fc\u00dfe\n\u03b1\u03b2 \U0001f600"};
     static const std::vector<std::string> formulas = {"x", "0.5", "sin(3 * x) * cos(y - z) + time", "x^2 + y^2 - z",
-                                                      "sqrt(x) / y"};
+                                                      "max(abs(x), y) / (z^2 + 1) - 0.7"};
+    if (parameter.kind == graph::ParameterKind::image) return {};  // no file
     if (parameter.kind == graph::ParameterKind::text) return random.pick(texts);
     return random.pick(parameter.kind == graph::ParameterKind::formula ? formulas : parameter.choices);
 }

@@ -52,6 +52,19 @@ TEST_F(Browser, opens_the_file_that_is_chosen)
     EXPECT_FALSE(driver.shows("browser/accept"));
 }
 
+TEST_F(Browser, shows_pictures_whatever_their_letters)
+{
+    for (const char* name : {"photo.JPG", "drawing.png"}) std::ofstream(folder / name) << "x";
+    driver.editor.browse({Then::picture, {}, graph::NodeId{7}}, folder.string(), {});
+    driver.frames(4);
+    EXPECT_TRUE(driver.shows("browser/file/drawing.png"));
+    EXPECT_FALSE(driver.shows("browser/file/notes.txt"));
+    driver.click("browser/file/photo.JPG");
+    driver.click("browser/accept");
+    EXPECT_EQ(requested<ui::UsePicture>(), (folder / "photo.JPG").string());
+    EXPECT_EQ(std::get<ui::UsePicture>(driver.requests[0]).node, graph::NodeId{7});
+}
+
 TEST_F(Browser, shows_scenes_and_folders_and_all_when_told)
 {
     browse(Then::open);
@@ -153,13 +166,13 @@ TEST_F(Browser, starts_in_the_nearest_folder_that_exists)
 TEST_F(Browser, lists_folders_first_then_names_without_regard_to_case)
 {
     std::vector<std::string> names;
-    for (const ui::FolderEntry& entry : ui::list_folder(folder, ".scene.json").entries) names.push_back(entry.name);
+    for (const ui::FolderEntry& entry : ui::list_folder(folder, {".scene.json"}).entries) names.push_back(entry.name);
     EXPECT_EQ(names, (std::vector<std::string>{"inner", "A.scene.json", "b.scene.json"}));
 }
 
 TEST_F(Browser, an_unreadable_folder_is_a_sentence)
 {
-    EXPECT_TRUE(ui::list_folder(folder / "gone", "").error.starts_with("Cannot read"));
+    EXPECT_TRUE(ui::list_folder(folder / "gone", {}).error.starts_with("Cannot read"));
 }
 
 }  // namespace

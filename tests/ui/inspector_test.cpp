@@ -69,6 +69,18 @@ void drag_right(Driver& driver, std::string_view widget, float px)
     driver.drag(from, from + glm::vec2(px, 0));
 }
 
+TEST(Inspector, a_picture_is_chosen_from_a_file)
+{
+    OneNode image("image");
+    image.driver.click("inspector/picture");
+    ASSERT_EQ(image.driver.requests.size(), 1u);
+    const auto* asked = std::get_if<ui::ChooseFile>(&image.driver.requests[0]);
+    ASSERT_TRUE(asked);
+    EXPECT_EQ(asked->then, ui::ChooseFile::Then::picture);
+    EXPECT_EQ(asked->node, image.id);
+    EXPECT_EQ(image.driver.document, image.driver.steps.front().first);
+}
+
 TEST(Inspector, dragging_a_number_is_one_step_and_changes_nothing_else)
 {
     OneNode torus("torus");
@@ -193,6 +205,114 @@ TEST(Inspector, reset_is_offered_only_away_from_the_default_and_restores_it)
     EXPECT_EQ(torus.driver.steps.back().second, "Reset torus major");
     torus.driver.frame();
     EXPECT_FALSE(torus.driver.shows("inspector/major/reset"));
+}
+
+TEST(Inspector, a_formula_is_kept_while_it_can_be_read)
+{
+    OneNode node("expression");
+    node.driver.click("inspector/formula");
+    node.driver.key(ui::key::a, true);
+    node.driver.type("a ");
+    node.driver.type("* sin(x");
+    EXPECT_EQ(node.value<std::string>("formula"), "a ") << "the last that could be read";
+    EXPECT_TRUE(node.driver.shows("inspector/formula/error"));
+    node.driver.type(")");
+    EXPECT_EQ(node.value<std::string>("formula"), "a * sin(x)");
+    EXPECT_FALSE(node.driver.shows("inspector/formula/error"));
+    EXPECT_EQ(node.driver.steps.size(), 1u) << "typing is one gesture";
+    node.enter();
+    ASSERT_EQ(node.driver.steps.size(), 2u);
+    EXPECT_EQ(node.driver.document, node.with("formula", std::string("a * sin(x)")));
+}
+
+TEST(Inspector, what_is_typed_of_a_formula_is_not_lost)
+{
+    OneNode node("implicit");
+    auto type_half = [&] {
+        node.driver.click("inspector/formula");
+        node.driver.key(ui::key::a, true);
+        node.driver.type("x^2 + (y");
+    };
+    type_half();
+    node.enter();
+    EXPECT_EQ(node.value<std::string>("formula"), "x^2 + (y");
+    EXPECT_TRUE(node.driver.shows("inspector/formula/error"));
+    node.driver.click("inspector/formula/reset");
+    EXPECT_FALSE(node.driver.shows("inspector/formula/error"));
+    type_half();
+    node.driver.click("inspector/k");
+    EXPECT_EQ(node.value<std::string>("formula"), "x^2 + (y") << "a field drawn earlier took the keyboard";
+    node.driver.click("inspector/formula/reset");
+    std::string before = node.value<std::string>("formula");
+    type_half();
+    node.driver.key(ui::key::escape);
+    EXPECT_EQ(node.value<std::string>("formula"), before);
+}
+
+TEST(Inspector, a_text_is_typed_line_by_line)
+{
+    OneNode node("number");
+    std::map<std::string, std::string> texts = graph::embedded_texts();
+    texts["nodes/value/words.glsl"] =
+        "// Words: what is written.\n// text motto: \"Ag\"  What it says.\n"
+        "float words_value(\n    float x)  // 1.0 [0, 9]  A number.\n{\n    return x;\n}\n";
+    node.driver.library = graph::Library::from_texts(texts, graph::embedded_texts());
+    node.become("words");
+    node.driver.click("inspector/motto");
+    node.driver.key(ui::key::a, true);
+    node.driver.type("one");
+    node.enter();
+    node.driver.type("two");
+    node.driver.click(glm::vec2(10, 500));
+    EXPECT_EQ(node.value<std::string>("motto"), "one\ntwo");
+    EXPECT_EQ(node.driver.steps.size(), 2u);
+}
+
+TEST(Inspector, a_point_of_a_curve_is_dragged_between_its_neighbours)
+{
+    OneNode curve("curve");
+    auto points = curve.value<graph::PointList>("points");
+    glm::vec2 from = curve.driver.place("inspector/points/curve/1");
+    curve.driver.drag(from, from + glm::vec2(10, -20));
+    auto moved = curve.value<graph::PointList>("points");
+    ASSERT_EQ(moved.size(), points.size());
+    EXPECT_GT(moved[1].x, points[1].x);
+    EXPECT_GT(moved[1].y, points[1].y);
+    EXPECT_EQ(moved[2], points[2]);
+    EXPECT_EQ(curve.driver.steps.size(), 2u);
+    curve.driver.drag(curve.driver.place("inspector/points/curve/1"), from + glm::vec2(2000, 0));
+    EXPECT_EQ(curve.value<graph::PointList>("points")[1].x, points[2].x) << "no farther than the next point";
+}
+
+TEST(Inspector, points_of_a_curve_are_added_by_double_click_and_taken_by_right_click)
+{
+    OneNode curve("curve");
+    glm::vec2 a = curve.driver.place("inspector/points/curve/0"), b = curve.driver.place("inspector/points/curve/1");
+    curve.driver.double_click({0.5f * (a.x + b.x), b.y});
+    auto points = curve.value<graph::PointList>("points");
+    ASSERT_EQ(points.size(), 5u);
+    EXPECT_NEAR(points[1].x, 0.175f, 0.01f);
+    EXPECT_NEAR(points[1].y, 0.75f, 0.01f);
+    curve.driver.click("inspector/points/curve/1", 1);
+    ASSERT_EQ(curve.value<graph::PointList>("points").size(), 4u);
+    EXPECT_EQ(curve.value<graph::PointList>("points")[1].x, 0.35f);
+    EXPECT_EQ(curve.driver.steps.size(), 3u);
+}
+
+TEST(Inspector, a_smooth_combiner_shows_its_blend)
+{
+    OneNode node("smooth_union");
+    EXPECT_FALSE(node.driver.shows("inspector/blend"));
+    node.driver.readings.blend_of = [&](NodeId id) -> std::optional<ui::BlendCurve> {
+        if (id != node.id || node.node().type != "smooth_union") return std::nullopt;
+        return ui::BlendCurve{0.5f,      false, {-1, 0, 1}, {-0.5f, 0, 0.5f}, {0.5f, 0, -0.5f}, {-0.5f, -0.1f, -0.5f},
+                              {1, 0, -1}};
+    };
+    node.driver.frames(2);
+    EXPECT_TRUE(node.driver.shows("inspector/blend"));
+    EXPECT_TRUE(node.driver.shows("inspector/blend/slope"));
+    node.become("union");
+    EXPECT_FALSE(node.driver.shows("inspector/blend"));
 }
 
 TEST(Inspector, a_component_of_a_vector_changes_alone)

@@ -11,8 +11,8 @@ float mandelbox_distance(
     vec3 p,
     float half_size,    // 0.8 [0.001, 100] [0.05, 5] m  Half the length of the edges.
     float enlargement,  // 2.2 [1.5, 4] [1.5, 3]  How much each fold enlarges what it folded.
-    float ball,         // 0.5 [0.05, 1]  Radius of the small ball, within which points are thrown outwards alike.
-    int iterations)     // 4 [1, 12] [1, 8]  How many folds there are: more show finer halls.
+    float ball,         // 0.7 [0.05, 1]  Radius of the small ball, within which points are thrown outwards alike.
+    int iterations)     // 3 [1, 12] [1, 8]  How many folds there are: more show finer halls.
 {
     float reach = mandelbox_reach(enlargement);
     vec3 place = p * (reach / half_size);

@@ -6,7 +6,7 @@ float mandelbulb_distance(
     vec3 p,
     float radius,    // 0.8 [0.001, 100] [0.05, 5] m  Radius of the ball that the fractal is drawn in; buds reach a little farther.
     float power,     // 8.0 [2, 16] [2, 12]  Power the points are raised to: the number of buds around, and one.
-    int iterations)  // 4 [1, 12] [1, 6]  How many powers are taken: more show finer buds.
+    int iterations)  // 3 [1, 12] [1, 6]  How many powers are taken: more show finer buds.
 {
     vec3 place = p / radius;
     vec3 z = place;
