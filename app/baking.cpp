@@ -3,6 +3,7 @@
 
 #include "graph/contours.h"
 #include "graph/edits.h"
+#include "graph/groups.h"
 #include "ui/font_files.h"
 
 #include <algorithm>
@@ -46,8 +47,10 @@ Writing writing_of(const Node& node)
 template <typename Visit>
 void each_text(const Document& document, const Library& library, const Visit& visit)
 {
-    for (const Node& node : document.root.nodes)
-        if (const graph::Parameter* contours = contours_of(library.type(node.type))) visit(node, *contours);
+    graph::for_each_graph(document, [&](const graph::Graph& graph) {
+        for (const Node& node : graph.nodes)
+            if (const graph::Parameter* contours = contours_of(library.type(node.type))) visit(node, *contours);
+    });
 }
 
 }  // namespace
@@ -68,16 +71,17 @@ void Baking::follow(const Document& document, const Library& library)
 
 void Baking::bake(Document& document, const Library& library)
 {
-    std::vector<std::pair<graph::NodeId, std::string>> changed;
-    each_text(document, library, [&](const Node& node, const graph::Parameter& contours) {
-        auto before = written_.find(node.id);
-        if (before != written_.end() && before->second != writing_of(node))
-            changed.emplace_back(node.id, contours.name);
+    graph::for_each_graph(document, [&](graph::Graph& graph) {
+        for (Node& node : graph.nodes) {
+            const graph::Parameter* contours = contours_of(library.type(node.type));
+            auto before = written_.find(node.id);
+            if (!contours || before == written_.end() || before->second == writing_of(node)) continue;
+            const Outlines& baked = outlines(writing_of(node));
+            if (!baked.problem.empty()) continue;
+            for (auto& [name, value] : node.parameters)
+                if (name == contours->name) value = baked.contours;
+        }
     });
-    for (const auto& [id, contours] : changed) {
-        const Outlines& baked = outlines(writing_of(*document.root.find(id)));
-        if (baked.problem.empty()) graph::set_parameter(document, library, id, contours, baked.contours);
-    }
     follow(document, library);
 }
 

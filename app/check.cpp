@@ -54,9 +54,8 @@ void print_refusal(const std::string& sentence)
 
 int check(const SceneArguments& arguments, bool json, const Session& session)
 {
-    auto library = session.library();
     try {
-        graph::Document document = open_document(arguments, *library);
+        auto [document, library] = open_document(arguments, session.library());
         graph::Program program = lower_scene(arguments, document, library);
         for (graph::Problem& note : compare_silhouettes(document, library, false).notes)
             program.problems.push_back(std::move(note));

@@ -1,7 +1,7 @@
 // The commands of the command line: each adds itself to the parser and, when chosen, becomes the session's action.
 #pragma once
 
-#include "graph/library.h"
+#include "app/user_nodes.h"
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -12,10 +12,8 @@ struct Session {
     std::filesystem::path shaders;  // --shaders: a folder instead of the library built in; empty = built in
     std::function<int()> action;    // of the chosen command; returns the exit code
 
-    std::shared_ptr<const graph::Library> library() const
-    {
-        return shaders.empty() ? graph::Library::embedded() : graph::Library::load(shaders);
-    }
+    // With the nodes of the user's folder.
+    std::shared_ptr<const graph::Library> library() const { return user_library(shaders); }
 };
 
 // Opens the window on a scene, or on a new one when the path is empty; the exit code.

@@ -113,8 +113,8 @@ private:
 
 int evaluate(const EvalArguments& arguments, const Session& session)
 {
-    auto library = session.library();
-    graph::Document document = open_document(arguments.scene, *library);
+    auto [document, library] = open_document(arguments.scene, session.library());
+    if (arguments.device == "gpu") require_allowed_code(arguments.scene, document);
     graph::Program program = lower_scene(arguments.scene, document, library);
     report_problems(program, document);
     Field field(program, arguments);
@@ -149,6 +149,7 @@ void add_eval(CLI::App& parser, Session& session)
         ->capture_default_str();
     add_time(command, arguments->scene);
     add_changes(command, arguments->scene);
+    add_allow_code(command, arguments->scene);
     command.callback(
         [arguments, &session] { session.action = [arguments, &session] { return evaluate(*arguments, session); }; });
 }

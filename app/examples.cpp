@@ -24,6 +24,7 @@ constexpr Words words[] = {
     {"twist_and_bend", "Twist and bend", "Shapes in a space that is itself twisted or bent."},
     {"profiles", "Profiles", "Flat outlines made solid: given a thickness, or turned about an axis."},
     {"pulse", "Pulse", "A wave runs through a field of beads; Shift+Space plays it."},
+    {"tractor", "Tractor", "One wheel, made once as a group and used four times with sizes of its own."},
     {"orthographic_room", "Orthographic room", "A furnished room, drawn without perspective."},
 };
 

@@ -17,11 +17,9 @@ struct ExportArguments {
 int export_scene(const ExportArguments& arguments, const Session& session)
 {
     require_place(arguments.output);
-    auto library = session.library();
-    graph::Document document = open_document(arguments.scene, *library);
+    auto [document, library] = open_document(arguments.scene, session.library());
     // No export shows ids, and all are read by people.
-    graph::Program program =
-        lower_scene(arguments.scene, document, library, {.ids = false, .fold_moves = false});
+    graph::Program program = lower_scene(arguments.scene, document, library, {.ids = false, .fold_moves = false});
     report_problems(program, document);
     if (std::string refusal = codegen::export_refusal(program); !refusal.empty())
         throw graph::Failure(3, arguments.scene.path.string() + ": " + refusal);

@@ -10,6 +10,8 @@ struct LibraryReload {
     std::string error;                              // one sentence with file and line
 };
 
-LibraryReload reload_library(const std::filesystem::path& folder);
+// `shaders`: the folder instead of what is built in, unless empty; `user_nodes`: the user's own folder.
+LibraryReload reload_library(const std::filesystem::path& shaders,
+                             const std::optional<std::filesystem::path>& user_nodes = std::nullopt);
 
 }  // namespace fieldwright::app

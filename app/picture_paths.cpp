@@ -1,7 +1,7 @@
 // Paths without touching files.
 #include "app/picture_paths.h"
 
-#include "graph/edits.h"
+#include "graph/groups.h"
 #include "graph/image_request.h"
 
 #include <algorithm>
@@ -24,16 +24,15 @@ std::string stored_picture_path(const fs::path& file, const fs::path& scene_fold
 void move_picture_paths(graph::Document& document, const graph::Library& library, const fs::path& from,
                         const fs::path& to)
 {
-    std::vector<graph::NodeId> ids;
-    for (const graph::Node& node : document.root.nodes) ids.push_back(node.id);
-    for (graph::NodeId id : ids) {
-        const graph::Node& node = *document.root.find(id);
-        const graph::NodeType* type = library.type(node.type);
-        auto request = type ? graph::image_request(node, *type) : std::nullopt;
-        if (!request) continue;
-        std::string path = stored_picture_path(from / request->path, to);
-        graph::set_parameter(document, library, id, graph::image_parameter(*type)->name, path);
-    }
+    graph::for_each_graph(document, [&](graph::Graph& graph) {
+        for (graph::Node& node : graph.nodes) {
+            const graph::NodeType* type = library.type(node.type);
+            auto request = type ? graph::image_request(node, *type) : std::nullopt;
+            if (!request) continue;
+            for (auto& [name, value] : node.parameters)
+                if (name == graph::image_parameter(*type)->name) value = stored_picture_path(from / request->path, to);
+        }
+    });
 }
 
 bool is_picture_name(const fs::path& file)

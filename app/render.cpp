@@ -118,8 +118,8 @@ private:
 int render(const RenderArguments& arguments, const Session& session)
 {
     require_place(arguments.output);
-    auto library = session.library();
-    graph::Document document = open_document(arguments.scene, *library);
+    auto [document, library] = open_document(arguments.scene, session.library());
+    require_allowed_code(arguments.scene, document);
     graph::LowerOptions options;
     options.ids = renderer::view_from_name(arguments.view) == renderer::View::id;
     graph::Program program = lower_scene(arguments.scene, document, library, options);
@@ -156,6 +156,7 @@ void add_render(CLI::App& parser, Session& session)
         ->capture_default_str();
     add_time(command, arguments->scene);
     add_changes(command, arguments->scene);
+    add_allow_code(command, arguments->scene);
     command.add_flag("-q,--quiet", arguments->quiet, "No progress on stderr");
     command.callback(
         [arguments, &session] { session.action = [arguments, &session] { return render(*arguments, session); }; });

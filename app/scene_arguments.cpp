@@ -3,7 +3,9 @@
 
 #include "app/baking.h"
 #include "app/picture_shelf.h"
-#include "graph/edits.h"
+#include "graph/group_types.h"
+#include "graph/own_type_edits.h"
+#include "graph/own_types.h"
 #include "graph/scene_file.h"
 
 #include <algorithm>
@@ -95,14 +97,33 @@ void add_time(CLI::App& command, SceneArguments& arguments)
     command.add_option("--time", arguments.time, "Moment to show, in seconds")->check(finite_number)->default_str("0");
 }
 
-Document open_document(const SceneArguments& arguments, const Library& library)
+void add_allow_code(CLI::App& command, SceneArguments& arguments)
 {
-    Document document = graph::open_scene(arguments.path, library);
+    command.add_flag("--allow-code", arguments.allow_code,
+                     "Run the shader code that a scene brings with it; only for scenes that you trust");
+}
+
+OpenedScene open_document(const SceneArguments& arguments, const std::shared_ptr<const Library>& base)
+{
+    Document document = graph::open_scene(arguments.path, *base);
+    std::shared_ptr<const Library> library = graph::library_for(base, document.own_types);
+    if (!document.groups.empty()) library = graph::with_groups(*library, document);
     Baking baking;
-    baking.follow(document, library);
-    for (const std::string& change : arguments.changes) make_change(document, library, change);
-    baking.bake(document, library);
-    return document;
+    baking.follow(document, *library);
+    for (const std::string& change : arguments.changes) make_change(document, *library, change);
+    baking.bake(document, *library);
+    return {std::move(document), std::move(library)};
+}
+
+void require_allowed_code(const SceneArguments& arguments, const Document& document)
+{
+    auto used = std::count_if(document.own_types.begin(), document.own_types.end(), [&](const graph::OwnType& type) {
+        return graph::uses_of_own_type(document, type.name) > 0;
+    });
+    if (arguments.allow_code || used == 0) return;
+    throw Failure(3, arguments.path.string() + ": brings its own shader code (" + std::to_string(used) +
+                         (used == 1 ? " node type" : " node types") +
+                         "), which runs only when you allow it; add --allow-code if you trust the scene");
 }
 
 graph::Program lower_scene(const SceneArguments& arguments, const Document& document,

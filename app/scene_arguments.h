@@ -11,14 +11,23 @@ struct SceneArguments {
     std::filesystem::path path;
     std::vector<std::string> changes;  // node.parameter=value, in the order given
     float time = 0;                    // s
+    bool allow_code = false;           // runs the shader code that the scene brings
+};
+
+struct OpenedScene {
+    graph::Document document;
+    std::shared_ptr<const graph::Library> library;  // knows the document's own types
 };
 
 void add_scene(CLI::App& command, SceneArguments& arguments);
 void add_changes(CLI::App& command, SceneArguments& arguments);
 void add_time(CLI::App& command, SceneArguments& arguments);
+void add_allow_code(CLI::App& command, SceneArguments& arguments);
 
 // Reads the file and makes the changes. Failure 3 for the file, 2 for a change.
-graph::Document open_document(const SceneArguments& arguments, const graph::Library& library);
+OpenedScene open_document(const SceneArguments& arguments, const std::shared_ptr<const graph::Library>& library);
+// Failure 3 when the scene has node types of its own that its nodes use and that are not allowed.
+void require_allowed_code(const SceneArguments& arguments, const graph::Document& document);
 // The program of it, with its pictures read.
 graph::Program lower_scene(const SceneArguments& arguments, const graph::Document& document,
                            const std::shared_ptr<const graph::Library>& library, graph::LowerOptions options = {});

@@ -4,6 +4,7 @@
 #include "app/new_scene.h"
 #include "app/picture_paths.h"
 #include "graph/adapt.h"
+#include "graph/group_types.h"
 #include "graph/layout.h"
 #include "graph/scene_file.h"
 #include "ui/node_geometry.h"
@@ -39,7 +40,11 @@ EditSession::EditSession(std::shared_ptr<const graph::Library> library)
 {
 }
 
-bool EditSession::settle(const std::string& step_name) { return history_.record(document_, step_name); }
+bool EditSession::settle(const std::string& step_name)
+{
+    follow_types();
+    return history_.record(document_, step_name);
+}
 
 bool EditSession::undo()
 {
@@ -73,30 +78,74 @@ bool EditSession::jump(std::size_t step)
 void EditSession::land()
 {
     document_ = history_.current();
+    if (!library_fits()) rebuild_library();
     adapt();
 }
 
+bool EditSession::library_fits() const
+{
+    return document_.own_types == library_->own_types() && document_.groups == known_groups_;
+}
+
+void EditSession::rebuild_library()
+{
+    library_ = graph::with_own_types(*library_, document_.own_types, own_type_rules_);
+    for (const graph::OwnType& own : document_.own_types)
+        if (const graph::NodeType* type = library_->type(own.name); type && !type->held_back && !type->former)
+            own_type_rules_.former[own.name] = own.text;
+    if (!document_.groups.empty()) library_ = graph::with_groups(*library_, document_);
+    known_groups_ = document_.groups;
+}
+
+bool EditSession::follow_types()
+{
+    if (library_fits()) return false;
+    bool others = document_.own_types != library_->own_types();
+    rebuild_library();
+    if (others) document_ = graph::adapted(std::move(document_), *library_);
+    return true;
+}
+
+void EditSession::use_judge(Judge judge)
+{
+    own_type_rules_.refuse = std::move(judge);
+    judge_again();
+}
+
+void EditSession::judge_again()
+{
+    if (document_.own_types.empty()) return;
+    rebuild_library();
+    adapt();
+}
+
+// The document and the step it stands on; what is being edited stays unsettled.
 void EditSession::adapt()
 {
-    graph::Document fitting = graph::adapted(document_, *library_);
-    if (fitting == document_) return;
-    // A node that became a placeholder, or is none any more, is the same in the file.
-    bool same_file = graph::write_scene(fitting, *library_) == graph::write_scene(document_, *library_);
-    document_ = std::move(fitting);
-    if (!same_file && history_.at_saved_step()) history_.forget_saved();
-    history_.replace_current(document_);
+    bool settled = document_ == history_.current();
+    graph::Document step = graph::adapted(history_.current(), *library_);
+    if (step != history_.current()) {
+        // A node that became a placeholder, or is none any more, is the same in the file.
+        bool same_file = graph::write_scene(step, *library_) == graph::write_scene(history_.current(), *library_);
+        if (!same_file && history_.at_saved_step()) history_.forget_saved();
+        history_.replace_current(step);
+    }
+    document_ = settled ? std::move(step) : graph::adapted(std::move(document_), *library_);
 }
 
 void EditSession::use_library(std::shared_ptr<const graph::Library> library)
 {
     settle(unsettled_name);
     library_ = std::move(library);
+    rebuild_library();
     adapt();
 }
 
 void EditSession::start(graph::Document document, std::optional<fs::path> path)
 {
     document_ = std::move(document);
+    own_type_rules_.former.clear();
+    rebuild_library();
     history_ = graph::History(document_);
     path_ = absolute_path(std::move(path));
     stamp_.reset();

@@ -3,7 +3,7 @@
 
 #include "app/file_stamp.h"
 #include "graph/history.h"
-#include "graph/library.h"
+#include "graph/own_types.h"
 
 #include <filesystem>
 #include <memory>
@@ -16,7 +16,15 @@ public:
     // Starts with a new scene.
     explicit EditSession(std::shared_ptr<const graph::Library> library);
 
+    // Knows the document's own types and groups.
     const std::shared_ptr<const graph::Library>& library() const { return library_; }
+    // Call when the document was edited: where its own types or groups are others now, the library follows, and the nodes
+    // of own types. True then.
+    bool follow_types();
+    // Says why the document's own type may not run; asked again by `judge_again`. Null = all may.
+    using Judge = std::function<std::optional<graph::TextError>(const graph::OwnType&)>;
+    void use_judge(Judge judge);
+    void judge_again();
     // The live document, edited through graph/edits.h at any time.
     graph::Document& document() { return document_; }
     const graph::Document& document() const { return document_; }
@@ -58,8 +66,12 @@ private:
     void start(graph::Document document, std::optional<std::filesystem::path> path);
     void land();
     void adapt();
+    bool library_fits() const;
+    void rebuild_library();
 
     std::shared_ptr<const graph::Library> library_;
+    graph::OwnTypeRules own_type_rules_;      // its former texts are those that ran last, of this scene
+    std::vector<graph::Group> known_groups_;  // to the library
     graph::Document document_;
     graph::History history_;
     std::optional<std::filesystem::path> path_;

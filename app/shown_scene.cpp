@@ -69,7 +69,10 @@ bool ShownScene::poll()
 std::optional<ui::Measured> ShownScene::bounds_of(graph::NodeId node)
 {
     auto [known, is_new] = bounds_.try_emplace(node);
-    const graph::Node* found = node ? document_.root.find(node) : nullptr;
+    const graph::Node* found = nullptr;
+    graph::for_each_graph(document_, [&](const graph::Graph& graph) {
+        if (const graph::Node* here = graph.find(node)) found = here;
+    });
     const graph::NodeType* type = found ? library_->type(found->type) : nullptr;
     if (is_new && (!node || (type && type->is_field()))) known->second = measured(document_, library_, images_, node);
     return known->second;

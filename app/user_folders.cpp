@@ -1,4 +1,4 @@
-// The folders of the user: $XDG_CONFIG_HOME and $XDG_STATE_HOME, or their places in the home folder.
+// The folders of the user: $XDG_CONFIG_HOME, $XDG_STATE_HOME and $XDG_DATA_HOME, or their places in the home folder.
 #include "app/user_folders.h"
 
 #include "graph/problem.h"
@@ -46,6 +46,16 @@ void make_private(const fs::path& folder)
     throw graph::Failure(5, folder.string() + ": cannot be made: " + std::strerror(errno));
 }
 
+std::optional<fs::path> data_folder(const char* name, const std::optional<fs::path>& root)
+{
+    if (root) return *root / "data" / name;
+    try {
+        return base("XDG_DATA_HOME", ".local/share") / "fieldwright" / name;
+    } catch (const graph::Failure&) {
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 UserFolders user_folders(const std::optional<fs::path>& root)
@@ -57,5 +67,9 @@ UserFolders user_folders(const std::optional<fs::path>& root)
     make_private(folders.state);
     return folders;
 }
+
+std::optional<fs::path> user_node_folder(const std::optional<fs::path>& root) { return data_folder("nodes", root); }
+
+std::optional<fs::path> user_group_folder(const std::optional<fs::path>& root) { return data_folder("groups", root); }
 
 }  // namespace fieldwright::app

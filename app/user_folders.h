@@ -15,4 +15,10 @@ struct UserFolders {
 // Failure 5 when there is no place for them.
 UserFolders user_folders(const std::optional<std::filesystem::path>& root = std::nullopt);
 
+// Where groups of the user's library lie ($XDG_DATA_HOME); makes nothing. Nothing when there is no home folder.
+std::optional<std::filesystem::path> user_group_folder(const std::optional<std::filesystem::path>& root = std::nullopt);
+
+// Where the user keeps own node files ($XDG_DATA_HOME); makes nothing. Nothing when there is no home folder.
+std::optional<std::filesystem::path> user_node_folder(const std::optional<std::filesystem::path>& root = std::nullopt);
+
 }  // namespace fieldwright::app

@@ -2,10 +2,13 @@
 #include "app/workbench.h"
 
 #include "app/library_reload.h"
+#include "app/user_nodes.h"
 #include "app/view_memory.h"
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
+#include "graph/expansion.h"
 #include "graph/scene_file.h"
+#include "ui/group_actions.h"
 #include "ui/viewport_overlay.h"
 
 #include <algorithm>
@@ -23,6 +26,8 @@ constexpr double first_picture_s = 0.03;  // a frame waits this long for the pic
 constexpr double idle_s = 1;              // autosave and the like look this often
 constexpr double watch_s = FolderWatch::interval_s;
 constexpr double blink_s = 0.4;  // of the text cursor
+constexpr assets::WorkerLimits trial_limits{
+    .memory_bytes = 1 << 30, .cpu_s = 15, .wall_s = 20, .answer_bytes = 1 << 20};
 
 renderer::ViewCamera renderer_camera(const ui::ViewCamera& camera)
 {
@@ -47,10 +52,17 @@ std::string device_words(const renderer::RenderStatus& status)
     return "GPU " + name.substr(0, name.find_last_not_of(' ') + 1);
 }
 
+std::optional<std::filesystem::path> user_nodes(const WorkbenchOptions& options)
+{
+    return options.state.empty() ? user_node_folder() : user_node_folder(options.state);
+}
+
 // Before there is a window: a scene that cannot be opened is the command line's error.
 EditSession opened_session(const WorkbenchOptions& options)
 {
-    EditSession session(options.shaders.empty() ? graph::Library::embedded() : graph::Library::load(options.shaders));
+    auto library = options.shaders.empty() ? graph::Library::embedded() : graph::Library::load(options.shaders);
+    if (auto folder = user_nodes(options)) library = with_user_nodes(*library, *folder);
+    EditSession session(std::move(library));
     if (!options.scene.empty()) session.open(options.scene);
     return session;
 }
@@ -60,22 +72,36 @@ EditSession opened_session(const WorkbenchOptions& options)
 Workbench::Workbench(const WorkbenchOptions& options)
     : options_(options),
       folders_(options.state.empty() ? user_folders() : user_folders(options.state)),
+      user_nodes_(user_nodes(options)),
       state_(folders_.state / "window.json"),
       recent_(folders_.state / "recent.json"),
       session_(opened_session(options)),
+      review_(
+          folders_.state / "trusted_code.json",
+          [](const std::string& shader, const std::stop_token& stop) {
+              return try_shader(assets::Worker(), shader, "its code", stop, trial_limits);
+          },
+          Window::wake),
       autosave_(folders_.state / "autosave", [this] { return now_s(); }),
+      groups_(options.state.empty() ? user_group_folder() : user_group_folder(options.state)),
       window_("Fieldwright", options.size),
       render_thread_({.on_ready = Window::wake}),
       pictures_(Window::wake)
 {
+    session_.use_judge([this](const graph::OwnType& type) { return review_.verdict(type); });
     if (!options.shaders.empty()) watch_.emplace(options.shaders);
+    if (user_nodes_) user_nodes_watch_.emplace(*user_nodes_);
     if (!options.script.empty()) script_.emplace(options.script);
     if (!options.recording.empty()) window_.input.start_recording();
     editor_.rects.listening = script_ || !options.places.empty();
     readings_.export_targets = codegen::export_targets();
     readings_.view_names = renderer::view_names();
     readings_.stereo_names = renderer::stereo_names();
-    readings_.node_at = [this](int x, int y) { return picture_.node_at(x, y); };
+    // While the window is drawn, the open group stands in the scene's place.
+    readings_.node_at = [this](int x, int y) {
+        std::vector<graph::NodeId> path = graph::path_of(scene_.program()->inner_copies, picture_.node_at(x, y));
+        return graph::shown_on(path, session_.document().root);
+    };
     readings_.depth_at = [this](int x, int y) { return picture_.depth_at(x, y); };
     readings_.bounds_of = [this](graph::NodeId node) { return scene_.bounds_of(node); };
     readings_.blend_of = [this](graph::NodeId node) {
@@ -89,6 +115,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
     scene_replaced();
     if (session_.laid_out()) say_opened();
     list_recoverable();
+    list_groups();
 }
 
 bool Workbench::attempt(const std::function<void()>& action)
@@ -134,6 +161,7 @@ void Workbench::turn()
     forget_refusal();
     if (scene_.poll()) touch();
     watch_shaders();
+    review_code();
     answer_dialog();
     if (pictures_.has_news()) lower_scene(), touch();
     attempt([&] { autosave_.update(session_); });
@@ -220,6 +248,7 @@ void Workbench::frame()
 bool Workbench::follow(const ui::Editor::Output& output, double frame_start_s)
 {
     if (output.document_changed) {
+        session_.follow_types();
         scene_.bake(session_.document(), *session_.library());
         lower_scene();
     }
@@ -246,25 +275,39 @@ void Workbench::await_first_picture()
 
 void Workbench::watch_shaders()
 {
-    if (!watch_ || !watch_->changed(now_s())) return;
-    LibraryReload reload = reload_library(watch_->folder());
+    bool shaders_changed = watch_ && watch_->changed(now_s());
+    bool nodes_changed = user_nodes_watch_ && user_nodes_watch_->changed(now_s());
+    if (!shaders_changed && !nodes_changed) return;
+    LibraryReload reload = reload_library(options_.shaders, user_nodes_);
     reload_error_ = reload.error;
     if (reload.library) {
         session_.use_library(reload.library);
         lower_scene();
-        say("Read the changed shaders");
+        say(shaders_changed ? "Read the changed shaders" : "Read the changed nodes of your folder");
     } else {
         say(reload.error, true);
     }
 }
 
+void Workbench::review_code()
+{
+    if (!review_.update(session_.library())) return;
+    session_.judge_again();
+    lower_scene();
+    touch();
+}
+
 void Workbench::fill_readings()
 {
     readings_.program = scene_.program();
-    readings_.problems = scene_.problems();
+    std::string open = ui::shown_group(session_.document(), editor_.view);
+    const graph::Group* group = graph::find_group(session_.document(), open);
+    readings_.problems = ui::shown_problems(scene_.problems(), group ? group->graph : session_.document().root);
     readings_.missed_cells = scene_.missed_cells();
     for (const std::string& error : {reload_error_, compile_error_, autosave_.failure()})
         if (!error.empty()) readings_.problems.push_back({{}, error});
+    for (const auto& [name, error] : session_.library()->left_out_of(graph::Origin::user_folder))
+        readings_.problems.push_back({{}, "your node " + name + ": " + sentence(error)});
     bool reads_shader = editor_.view.panes.shown && editor_.view.panel == ui::Panel::shader;
     readings_.shader_text = reads_shader ? scene_.shader_text(static_cast<float>(editor_.view.time_s)) : nullptr;
     readings_.picture.texture = picture_.texture();
@@ -362,6 +405,7 @@ void Workbench::scene_replaced()
     lower_scene();
     compile_error_.clear();
     editor_.view.selection.clear();
+    editor_.view.way.clear();
     editor_.view.time_s = 0;
     editor_.view.playing = false;
     show_view();
@@ -394,6 +438,7 @@ void Workbench::play_script()
 
 void Workbench::leave_view()
 {
+    ui::close_groups(editor_.view);
     if (session_.path()) remember_view(state_, *session_.path(), editor_.view);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "app/autosave.h"
+#include "app/code_review.h"
 #include "app/examples.h"
 #include "app/folder_watch.h"
+#include "app/group_library.h"
 #include "app/native_dialog.h"
 #include "app/picture_shelf.h"
 #include "app/recent_files.h"
@@ -64,7 +66,10 @@ private:
     double next_frame_s() const;
     double patience_s() const;
     void watch_shaders();
+    void review_code();
     void lower_scene();
+    void trust(const std::vector<graph::OwnType>& types);
+    void save_own_node(const std::string& type);
     void fill_readings();
     bool take_result();
     void await_first_picture();
@@ -83,6 +88,8 @@ private:
     void save(const std::optional<std::filesystem::path>& path);
     void export_shader(const ui::ExportFile& request);
     void export_picture(const std::filesystem::path& path);
+    void save_group(const ui::SaveGroup& request);
+    void list_groups();
     void list_recoverable();
     void recover(const std::string& id);
     void discard_recovered(const std::string& id);
@@ -99,10 +106,13 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     WorkbenchOptions options_;
     UserFolders folders_;
+    std::optional<std::filesystem::path> user_nodes_;  // the folder
     WindowState state_;
     RecentFiles recent_;
     EditSession session_;
+    CodeReview review_;
     Autosave autosave_;
+    GroupLibrary groups_;
     Window window_;
     ExamplePictures example_pictures_;
     renderer::RenderThread render_thread_;
@@ -114,7 +124,7 @@ private:
 
     NativeDialog dialog_;
     std::optional<ui::ChooseFile> dialog_request_;
-    std::optional<FolderWatch> watch_;
+    std::optional<FolderWatch> watch_, user_nodes_watch_;
     std::optional<Script> script_;
     std::optional<std::filesystem::path> picture_wanted_;  // to be written when the picture is finished
     std::string reload_error_, compile_error_;

@@ -43,6 +43,9 @@ void Workbench::lower_scene()
     const graph::Document& document = session_.document();
     scene_.update(document, session_.library(),
                   pictures_.images(graph::image_requests(document, *session_.library()), session_.folder()));
+    readings_.foreign_code.clear();
+    for (const graph::OwnType& type : review_.foreign(session_.document()))
+        readings_.foreign_code.push_back({type.name, type.text});
 }
 
 }  // namespace fieldwright::app

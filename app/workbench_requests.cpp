@@ -1,6 +1,7 @@
 // What the window asked for: files, exports, history, recovery.
 #include "app/workbench.h"
 
+#include "app/user_nodes.h"
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
 #include "graph/scene_file.h"
@@ -47,13 +48,52 @@ void Workbench::perform(const ui::Request& request)
     if (auto* picture = std::get_if<ui::ExportPicture>(&request)) export_picture(picture->path);
     if (auto* picture = std::get_if<ui::UsePicture>(&request)) use_picture(*picture);
     if (auto* choice = std::get_if<ui::ChooseFile>(&request)) choose(*choice);
+    if (auto* group = std::get_if<ui::SaveGroup>(&request)) save_group(*group);
     if (std::holds_alternative<ui::ForgetRecent>(request)) attempt([&] { recent_.clear(); });
     if (std::holds_alternative<ui::Undo>(request)) restored(session_.undo());
     if (std::holds_alternative<ui::Redo>(request)) restored(session_.redo());
     if (auto* jump = std::get_if<ui::JumpTo>(&request)) restored(session_.jump(jump->step));
     if (auto* wanted = std::get_if<ui::Recover>(&request)) recover(wanted->id);
     if (auto* unwanted = std::get_if<ui::DiscardRecovered>(&request)) discard_recovered(unwanted->id);
+    if (auto* written = std::get_if<ui::TrustCode>(&request)) trust({{written->type, written->text}});
+    if (std::holds_alternative<ui::AllowSceneCode>(request)) trust(review_.foreign(session_.document()));
+    if (auto* node = std::get_if<ui::SaveOwnNode>(&request)) save_own_node(node->type);
     if (std::holds_alternative<ui::Quit>(request)) quit_ = true;
+}
+
+void Workbench::trust(const std::vector<graph::OwnType>& types)
+{
+    attempt([&] { review_.trust(types); });
+    session_.judge_again();
+    lower_scene();
+    touch();
+}
+
+void Workbench::save_own_node(const std::string& name)
+{
+    attempt([&] {
+        const graph::NodeType* type = session_.library()->type(name);
+        if (!type || type->origin != graph::Origin::document) return;
+        if (!user_nodes_)
+            throw graph::Failure(5, "there is no home folder to keep nodes in; set HOME to an absolute path");
+        say("Saved " + save_user_node(*user_nodes_, *type).filename().string() + " to your nodes");
+    });
+}
+
+void Workbench::save_group(const ui::SaveGroup& request)
+{
+    attempt([&] {
+        bool replaced = groups_.save(request.name, request.text);
+        say((replaced ? "Saved the group over the one in your library: " : "Saved to your library: ") + request.name);
+    });
+    list_groups();
+}
+
+void Workbench::list_groups()
+{
+    std::string failure;
+    readings_.saved_groups = groups_.read(*session_.library(), failure);
+    if (!failure.empty()) say(failure, true);
 }
 
 void Workbench::list_recoverable()

@@ -121,11 +121,16 @@ std::string march_constants(const graph::Program& program)
            ");\nconst int STEP_BUDGET = " + std::to_string(program.step_budget) + ";\n\n";
 }
 
-std::map<graph::NodeId, std::string> safe_names(const graph::Document& document)
+std::map<graph::NodeId, std::string> safe_names(const graph::Document& document,
+                                                const std::vector<graph::InnerCopy>& copies)
 {
     std::map<graph::NodeId, std::string> names;
-    for (const graph::Node& node : document.root.nodes)
-        names[node.id] = safe_name(node.name.empty() ? node.type : node.name, "node");
+    graph::for_each_graph(document, [&](const graph::Graph& graph) {
+        for (const graph::Node& node : graph.nodes)
+            names[node.id] = safe_name(node.name.empty() ? node.type : node.name, "node");
+    });
+    // A copy is called like the original.
+    for (const graph::InnerCopy& inner : copies) names[inner.copy] = names[inner.path.back()];
     return names;
 }
 
@@ -165,7 +170,7 @@ std::string export_refusal(const graph::Program& program)
 std::string print_export(const graph::Program& program, const graph::Document& document, std::span<const float> block,
                          std::string_view target)
 {
-    std::map<graph::NodeId, std::string> names = safe_names(document);
+    std::map<graph::NodeId, std::string> names = safe_names(document, program.inner_copies);
     ScenePrinter printer(program, block, Placement::literals, [&](graph::NodeId id) {
         auto found = names.find(id);
         return found == names.end() ? std::string("node") : found->second;

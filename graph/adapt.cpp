@@ -1,12 +1,16 @@
 // A document under another library: first the nodes, then the wires between them.
 #include "graph/adapt.h"
 
+#include "graph/group_rules.h"
+#include "graph/group_types.h"
 #include "graph/json.h"
+#include "graph/neighbours.h"
 #include "graph/problem.h"
 #include "graph/scene_file.h"
 #include "graph/wire_rules.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace fieldwright::graph {
@@ -56,25 +60,18 @@ Parameters fitted(const Node& node, const NodeType& type)
     return parameters;
 }
 
-// A value as the scene reader reads it in a scene of one node; nothing when the parameter does not take it.
-std::optional<Value> value_from_json(std::string_view json, const Parameter& parameter, const NodeType& type,
-                                     const Library& library)
+// Nothing when the parameter does not take it.
+std::optional<Value> value_from_json(std::string_view json, const Parameter& parameter)
 {
-    std::string scene = R"({"format": "fieldwright", "version": 1, "graphs": {"root": {"nodes": {"1": {"type": )";
-    append_json_string(scene, type.name);
-    scene += ", \"parameters\": {";
-    append_json_string(scene, parameter.name);
-    scene += ": " + std::string(json) + "}}}}}}";
     try {
-        Document document = read_scene(scene, library);
-        return *document.root.nodes.front().parameter(parameter.name);
+        return read_value(json, parameter);
     } catch (const Failure&) {
         return std::nullopt;
     }
 }
 
 // The placeholder's parameters as its text has them.
-Parameters parameters_of_text(const Node& placeholder, const NodeType& type, const Library& library)
+Parameters parameters_of_text(const Node& placeholder, const NodeType& type)
 {
     Parameters parameters;
     JsonTree tree(placeholder.unknown_source, "node");
@@ -83,23 +80,30 @@ Parameters parameters_of_text(const Node& placeholder, const NodeType& type, con
     for (const JsonValue* member = tree.first_child(*object); member; member = tree.next_sibling(*member)) {
         const Parameter* parameter = type.parameter(member->key);
         if (!parameter || parameter->kind == ParameterKind::material) continue;
-        if (auto value = value_from_json(tree.source(*member), *parameter, type, library))
+        if (auto value = value_from_json(tree.source(*member), *parameter))
             parameters.emplace_back(parameter->name, std::move(*value));
     }
     return parameters;
 }
 
+// What of a scene's text a graph is: by the names of its members.
+const JsonValue& nodes_in(const JsonTree& tree, std::string_view graph)
+{
+    const JsonValue* texts = &tree.root();
+    for (std::string_view key : {std::string_view("graphs"), graph, std::string_view("nodes")})
+        texts = tree.member(*texts, key);
+    return *texts;
+}
+
 // Nodes of types that are gone become the text that would have been saved.
-void keep_as_text(Document& document, const Library& library)
+void keep_as_text(const Document& document, const Library& library, std::string_view name, Graph& graph)
 {
     auto is_gone = [&](const Node& node) { return node.unknown_source.empty() && !library.type(node.type); };
-    std::vector<Node>& nodes = document.root.nodes;
+    std::vector<Node>& nodes = graph.nodes;
     if (std::none_of(nodes.begin(), nodes.end(), is_gone)) return;
     std::string scene = write_scene(document, library);
     JsonTree tree(scene, "scene");
-    const JsonValue* texts = &tree.root();
-    for (const char* key : {"graphs", "root", "nodes"}) texts = tree.member(*texts, key);
-    const JsonValue* text = tree.first_child(*texts);  // in the order of the nodes
+    const JsonValue* text = tree.first_child(nodes_in(tree, name));  // in the order of the nodes
     for (Node& node : nodes) {
         if (is_gone(node)) {
             node.unknown_source = tree.source(*text);
@@ -109,34 +113,75 @@ void keep_as_text(Document& document, const Library& library)
     }
 }
 
-void fit_nodes(Document& document, const Library& library)
+void fit_nodes(Graph& graph, const Library& library)
 {
-    for (Node& node : document.root.nodes) {
+    for (Node& node : graph.nodes) {
         const NodeType* type = library.type(node.type);
         if (!type) continue;
         if (!node.unknown_source.empty()) {
-            node.parameters = parameters_of_text(node, *type, library);
+            node.parameters = parameters_of_text(node, *type);
             node.unknown_source.clear();
         }
         node.parameters = fitted(node, *type);
     }
 }
 
-void fit_wires(Document& document, const Library& library)
+void fit_wires(Graph& graph, const Library& library)
 {
-    WireRules rules(document.root, library);
-    for (Node& node : document.root.nodes)
+    WireRules rules(graph, library);
+    for (Node& node : graph.nodes)
         std::erase_if(node.inputs,
                       [&](const auto& input) { return rules.add(input.second, node.id, input.first).has_value(); });
+}
+
+void fit_graph(const Document& document, const Library& library, std::string_view name, Graph& graph)
+{
+    keep_as_text(document, library, name, graph);
+    fit_nodes(graph, library);
+    fit_wires(graph, library);
+}
+
+// What a group gives when its output went: of the nodes that nobody in it reads, the one farthest to the right.
+NodeId last_unread(const Graph& graph, const Library& library)
+{
+    const Node* last = nullptr;
+    Readers readers(graph);
+    for (const Node& node : graph.nodes) {
+        if (!readers.of(node.id).empty() || group_output_error(node.id, graph, library)) continue;
+        if (!last || node.position.x >= last->position.x) last = &node;
+    }
+    return last ? last->id : NodeId{};
+}
+
+void fit_group(Group& group, const Library& library)
+{
+    std::erase_if(group.exposed,
+                  [&](const Exposed& exposed) { return exposed_error(exposed, group.graph, library).has_value(); });
+    if (!group.output || group_output_error(group.output, group.graph, library))
+        group.output = last_unread(group.graph, library);
 }
 
 }  // namespace
 
 Document adapted(Document document, const Library& library)
 {
-    keep_as_text(document, library);
-    fit_nodes(document, library);
-    fit_wires(document, library);
+    assert(document.entered.empty());
+    if (document.groups.empty()) {
+        fit_graph(document, library, "root", document.root);
+        return document;
+    }
+    std::vector<std::string> order;
+    for (const Group* group : inner_first(document)) order.push_back(group->name);
+    std::vector<NodeType> types;
+    std::shared_ptr<const Library> known = library.with(Origin::group, {});
+    for (const std::string& name : order) {
+        Group& group = *find_group(document, name);
+        fit_graph(document, *known, name, group.graph);
+        fit_group(group, *known);
+        types.push_back(group_type(group, *known));
+        known = library.with(Origin::group, {types, {}});
+    }
+    fit_graph(document, *known, "root", document.root);
     return document;
 }
 

@@ -2,6 +2,7 @@
 #include "graph/compose.h"
 
 #include "graph/draft.h"
+#include "graph/groups.h"
 #include "graph/json.h"
 #include "graph/known_types.h"
 #include "graph/wire_rules.h"
@@ -67,9 +68,26 @@ void join_by_union(Draft& draft, NodeId shown, NodeId field, const OutputInput& 
     draft.wire(both, output.node, output.socket);
 }
 
+// Inside a group, what it gives is what is shown.
+void join_group(Draft& draft, NodeId field, Group& group)
+{
+    const Node* shown = draft.document().root.find(group.output);
+    const NodeType* type = shown ? draft.library().type(shown->type) : nullptr;
+    if (!type) group.output = field;
+    if (!type || !type->is_field()) return;
+    glm::vec2 place = glm::max(shown->position, draft.node(field).position) + glm::vec2(column_px, 0);
+    NodeId both = draft.add(known_types::union_of_two, place);
+    if (!both) return;
+    std::vector<std::string> sides = field_inputs(*draft.library().type(known_types::union_of_two));
+    draft.wire(group.output, both, sides[0]);
+    draft.wire(field, both, sides[1]);
+    group.output = both;
+}
+
 void join_output(Draft& draft, NodeId field)
 {
     if (draft.refused()) return;
+    if (Group* group = find_group(draft.document(), draft.document().entered)) return join_group(draft, field, *group);
     NodeId output = output_of(draft, draft.node(field).position + glm::vec2(column_px, 0));
     if (!output) return;
     std::string socket = field_inputs(*draft.library().type(draft.node(output).type)).front();
@@ -181,6 +199,7 @@ Refusal dissolve_in(Draft& draft, const Document& before, const std::set<NodeId>
         for (const auto& [socket, source] : node.inputs)
             if (nodes.contains(source) && !nodes.contains(node.id) && node.unknown_source.empty())
                 draft.wire(heirs.of(source), node.id, socket);
+    for (NodeId id : nodes) draft.hand_over_output(id, heirs.of(id));
     return std::nullopt;
 }
 
@@ -304,6 +323,7 @@ Placed insert_after(Document& document, const Library& library, std::string_view
     NodeId added = draft.add(name, node->position + glm::vec2(column_px, 0));
     draft.wire(selected, added, socket->name);
     if (!is_output(*type)) draft.hand_over(readers.of(selected), added);
+    draft.hand_over_output(selected, added);
     draft.make_room(added, readers, readers.of(selected));
     return draft.finish(added);
 }
@@ -326,6 +346,8 @@ Placed combine(Document& document, const Library& library, std::string_view name
     draft.wire(first, added, sides[0]);
     draft.wire(second, added, sides[1]);
     draft.hand_over(outer, added);
+    draft.hand_over_output(first, added);
+    draft.hand_over_output(second, added);
     draft.make_room(added, readers, outer);
     draft.make_wires();
     if (draft.refused() || unions.empty()) return draft.finish(added);

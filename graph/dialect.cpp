@@ -53,6 +53,12 @@ bool is_word_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) 
 bool is_word_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
+int column_at(std::string_view text, std::size_t offset)
+{
+    std::size_t line_end = offset == 0 ? text.npos : text.rfind('\n', offset - 1);
+    return static_cast<int>(line_end == text.npos ? offset : offset - line_end - 1) + 1;
+}
+
 class Lexer {
 public:
     Lexer(const std::string& path, std::string_view text) : path_(path), text_(text) {}
@@ -69,10 +75,23 @@ private:
     bool skip_space()
     {
         while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) {
+            check_line_end();
             if (text_[at_] == '\n') ++line_;
             ++at_;
         }
         return at_ < text_.size();
+    }
+
+    // A return alone ends a line for GLSL, and hides from us what follows.
+    void check_line_end() const
+    {
+        if (text_[at_] == '\r' && text_.substr(at_, 2) != "\r\n") fail("lines end with a line feed");
+        if (text_[at_] == '\0') fail("the text holds a zero byte");
+    }
+
+    [[noreturn]] void fail(const std::string& rule) const
+    {
+        throw DialectError(path_, line_, rule, column_at(text_, at_));
     }
 
     Token next()
@@ -80,10 +99,12 @@ private:
         std::size_t start = at_;
         char c = text_[at_];
         if (text_.substr(at_, 2) == "//") return comment(start);
-        if (text_.substr(at_, 2) == "/*") throw DialectError(path_, line_, "comments are written with //");
-        if (c == '#') throw DialectError(path_, line_, "preprocessor lines are not part of the dialect; remove the #");
+        if (text_.substr(at_, 2) == "/*") fail("comments are written with //");
+        if (c == '#') fail("preprocessor lines are not part of the dialect; remove the #");
         if (c == '\\' || c == '"' || c == '`' || c == '@' || c == '$')
-            throw DialectError(path_, line_, std::string("the character ") + c + " is not part of the dialect");
+            fail(std::string("the character ") + c + " is not part of the dialect");
+        if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~')
+            fail("only the characters of ASCII are part of the dialect, outside comments");
         if (is_word_start(c)) return take(TokenKind::word, start, is_word_part);
         if (is_digit(c) || (c == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))) return number(start);
         ++at_;
@@ -92,8 +113,12 @@ private:
 
     Token comment(std::size_t start)
     {
-        while (at_ < text_.size() && text_[at_] != '\n') ++at_;
-        return {TokenKind::comment, text_.substr(start, at_ - start), line_, start};
+        for (; at_ < text_.size() && text_[at_] != '\n'; ++at_) check_line_end();
+        std::string_view text = text_.substr(start, at_ - start);
+        // For GLSL the comment would go on in the next line.
+        if (text.find_last_not_of("\r \t") != text.npos && text[text.find_last_not_of("\r \t")] == '\\')
+            fail("a comment does not end with \\");
+        return {TokenKind::comment, text, line_, start};
     }
 
     Token take(TokenKind kind, std::size_t start, bool (*belongs)(char))
@@ -119,12 +144,13 @@ private:
     {
         bool real = token.text.find_first_of(".eE") != std::string_view::npos;
         bool suffixed = token.text.back() == 'f';
+        std::string number(token.text);
+        int column = column_at(text_, token.offset);
         if (real && !suffixed)
-            throw DialectError(path_, token.line,
-                               "the number " + std::string(token.text) + " needs the suffix f, as in " +
-                                   std::string(token.text) + "f");
+            throw DialectError(path_, token.line, "the number " + number + " needs the suffix f, as in " + number + "f",
+                               column);
         if (!real && suffixed)
-            throw DialectError(path_, token.line, "the number " + std::string(token.text) + " needs a decimal point");
+            throw DialectError(path_, token.line, "the number " + number + " needs a decimal point", column);
     }
 
     const std::string& path_;
@@ -157,7 +183,7 @@ public:
 private:
     [[noreturn]] void fail(const Token& token, const std::string& rule) const
     {
-        throw DialectError(file_.path, token.line, rule);
+        throw DialectError(file_.path, token.line, rule, column_at(file_.text, token.offset));
     }
 
     void header()
@@ -311,17 +337,22 @@ private:
         struct Scope {
             int brace_depth;
             double multiplicity;
+            std::string_view counter;
         };
         std::vector<Scope> loops;  // enclosing for loops
-        double multiplicity = 1, iterations = 0, list_iterations = 0, list_loops = 0;
+        double multiplicity = 1, iterations = 0, list_iterations = 0, list_loops = 0, tokens = 0;
         int depth = 1;
         double pending_loop = 0;  // iterations of a `for (...)` header just read
+        std::string_view counter;
         while (true) {
             Token token = take();
+            ++tokens;
             if (token.kind == TokenKind::end) fail(token, "the body of `" + function.name + "` is not closed");
             check_body_token(token);
+            for (const Scope& loop : loops)
+                if (token.text == loop.counter) check_counter_is_read(token);
             if (token.text == "for") {
-                pending_loop = loop_header();
+                pending_loop = loop_header(counter);
                 iterations += multiplicity * pending_loop;
                 if (peek().text != "{") fail(peek(), "the body of a loop is written in braces");
                 if (ends_with_a_list(function)) {
@@ -331,7 +362,7 @@ private:
             } else if (token.text == "{") {
                 ++depth;
                 if (pending_loop > 0) {
-                    loops.push_back({depth, multiplicity});
+                    loops.push_back({depth, multiplicity, counter});
                     multiplicity *= pending_loop;
                     pending_loop = 0;
                 }
@@ -344,6 +375,7 @@ private:
                     function.loop_iterations = static_cast<int>(std::min(iterations, 1e6));
                     function.list_iterations = static_cast<int>(std::min(list_iterations, 1e6));
                     function.list_loops = static_cast<int>(std::min(list_loops, 1e6));
+                    function.inlined_tokens = static_cast<int>(std::min(tokens, 1e9));
                     return token;
                 }
             } else if (token.kind == TokenKind::word && peek().text == "(") {
@@ -352,6 +384,7 @@ private:
                 iterations += multiplicity * callee->loop_iterations;
                 list_iterations += multiplicity * callee->list_iterations;
                 list_loops += multiplicity * callee->list_loops;
+                tokens += callee->inlined_tokens;
             }
         }
     }
@@ -373,7 +406,7 @@ private:
         });
     }
 
-    // A function of this file.
+    // The function of this file that is called there; null for those of other files.
     const Function* callee_of(const Function& caller, const Token& name) const
     {
         if (name.text == caller.name)
@@ -381,6 +414,47 @@ private:
         for (const Function& other : file_.functions)
             if (other.name == name.text) return &other;
         return nullptr;
+    }
+
+    // Tokens before (negative) and after the one just taken, comments apart.
+    const Token& neighbour(int distance) const
+    {
+        int step = distance < 0 ? -1 : 1;
+        auto at = static_cast<int>(at_) - 1;
+        for (int left = std::abs(distance); left > 0; --left) {
+            int next = at;
+            do next += step;
+            while (next > 0 && next < static_cast<int>(tokens_.size()) - 1 &&
+                   tokens_[static_cast<std::size_t>(next)].kind == TokenKind::comment);
+            if (next < 0 || next >= static_cast<int>(tokens_.size())) return tokens_.back();
+            at = next;
+        }
+        return tokens_[static_cast<std::size_t>(at)];
+    }
+
+    // The operator that begins or ends there, as written without spaces.
+    bool is_written(const Token& token, std::string_view text) const
+    {
+        return token.kind == TokenKind::symbol &&
+               std::string_view(file_.text).substr(token.offset, text.size()) == text;
+    }
+
+    // Only a loop whose counter nobody else changes is known to end.
+    void check_counter_is_read(const Token& counter) const
+    {
+        const Token &before = neighbour(-1), &after = neighbour(1);
+        if (before.text == ".") return;
+        bool changed = is_type(before.text) || (is_written(after, "=") && !is_written(after, "=="));
+        for (const char* change : {"++", "--", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="})
+            changed = changed || is_written(after, change);
+        for (const char* step : {"++", "--"}) changed = changed || is_written(neighbour(-2), step);
+        // (i) may be assigned to; only calls hold the counter alone.
+        const Token& caller = neighbour(-2);
+        bool called = caller.kind == TokenKind::word && caller.text != "else";
+        changed = changed || (before.text == "(" && after.text == ")" && !called);
+        if (changed)
+            fail(counter, "the loop's counter `" + std::string(counter.text) +
+                              "` is changed in its body, or stands alone in brackets; use another variable");
     }
 
     int integer_literal()
@@ -393,23 +467,24 @@ private:
         return value;
     }
 
-    double loop_header()
+    double loop_header(std::string_view& counter)
     {
         expect("(");
         expect("int");
         Token name = expect_name();
+        counter = name.text;
         expect("=");
         int first = integer_literal();
         expect(";");
         expect(name.text);
         expect("<");
-        int last = peek().text == "=" ? (take(), integer_literal() + 1) : integer_literal();
+        double last = peek().text == "=" ? (take(), integer_literal() + 1.0) : integer_literal();
         expect(";");
         expect(name.text);
         expect("+");
         expect("+");
         expect(")");
-        return std::max(1, last - first);
+        return std::max(1.0, last - first);
     }
 
     void check_body_token(const Token& token)
@@ -443,10 +518,12 @@ private:
 
 }  // namespace
 
-DialectError::DialectError(std::string file_path, int line_number, const std::string& rule)
-    : std::runtime_error(file_path + ":" + std::to_string(line_number) + ": " + rule),
+DialectError::DialectError(std::string file_path, int line_number, std::string broken_rule, int column_number)
+    : std::runtime_error(file_path + ":" + std::to_string(line_number) + ": " + broken_rule),
       file(std::move(file_path)),
-      line(line_number)
+      line(line_number),
+      column(column_number),
+      rule(std::move(broken_rule))
 {
 }
 

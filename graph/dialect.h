@@ -73,7 +73,8 @@ struct Function {
     int loop_iterations = 0;  // loop iterations of one call, those of called functions included; saturates at 1e6
     // Of these, the ones of loops that leave off at the end of a list, and how often such a loop is run.
     int list_iterations = 0, list_loops = 0;
-    std::string file;  // for messages
+    int inlined_tokens = 0;  // of its body with those of called functions in their places; saturates at 1e9
+    std::string file;        // for messages
 };
 
 // One parsed file. Order of declaration is kept.
@@ -88,9 +89,11 @@ struct SourceFile {
 
 // A broken rule of the dialect: file, line and rule in one sentence (what() holds "file:line: sentence").
 struct DialectError : std::runtime_error {
-    DialectError(std::string file, int line, const std::string& rule);
+    DialectError(std::string file, int line, std::string rule, int column = 0);
     std::string file;
     int line;
+    int column;  // from 1; 0 = the line as a whole
+    std::string rule;
 };
 
 // Parses and lints one file. Throws DialectError at the first broken rule. `struct_names` are the types known from

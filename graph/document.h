@@ -1,7 +1,8 @@
-// A scene as a value: nodes, wires (stored once, at the input) and march settings. Always acyclic, typed, finite and
-// unique by construction; changed only through graph/edits.h, graph/adapt.h and graph/scene_file.h.
+// A scene as a value: nodes, wires (stored once, at the input), groups and march settings. Always acyclic, typed, finite
+// and unique by construction; changed only through graph/edits.h, graph/adapt.h and graph/scene_file.h.
 #pragma once
 
+#include "graph/own_type.h"
 #include "graph/problem.h"
 #include "graph/value.h"
 
@@ -52,12 +53,34 @@ struct Graph {
     Node* find(NodeId id);
 };
 
+// Something inside a group that is set or wired from outside.
+struct Exposed {
+    std::string name;    // outside; unique in its group
+    std::string help;    // empty: that of what it drives
+    NodeId node;         // inside
+    std::string socket;  // of that node: the parameter or field input it drives
+    bool operator==(const Exposed&) const = default;
+};
+
+// A graph with a name, used as a node by any other graph (graph/groups.h). The value of an exposed parameter inside is
+// the default of new nodes.
+struct Group {
+    std::string name;              // unique in the document
+    std::vector<Exposed> exposed;  // in the order shown
+    NodeId output;                 // the inner node whose result is the group's; NodeId{}: none
+    Graph graph;
+    bool operator==(const Group&) const = default;
+};
+
 struct Document {
-    std::int64_t next_id = 1;
+    std::int64_t next_id = 1;  // of nodes in all graphs
     MarchSettings march;
     OcclusionSettings occlusion;
+    std::vector<OwnType> own_types;  // sorted by name, each once; their library is own_types.h's
     Graph root;
-    int version = 1;  // of the file it came from; newer than ours = opened with placeholders
+    std::vector<Group> groups;  // sorted by name; none contains itself
+    std::string entered;        // the group that changed places with `root` while it is worked on; empty at rest
+    int version = 1;            // of the file it came from; newer than ours = opened with placeholders
     std::vector<std::pair<std::string, std::string>> extras;  // unknown top-level members: key -> JSON text
     bool operator==(const Document&) const = default;
 };

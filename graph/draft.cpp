@@ -1,6 +1,7 @@
 // Steps of a compound edit.
 #include "graph/draft.h"
 
+#include "graph/groups.h"
 #include "graph/json.h"
 #include "graph/limits.h"
 
@@ -14,8 +15,12 @@ Refusal add_error(const Document& document, const Library& library, std::string_
 {
     const NodeType* type = library.type(name);
     if (!type) return "there is no node type " + in_quotes(name);
-    if (document.root.nodes.size() >= node_limit) return "a scene has at most " + std::to_string(node_limit) + " nodes";
+    if (node_count(document) >= node_limit) return "a scene has at most " + std::to_string(node_limit) + " nodes";
     if (!std::isfinite(position.x) || !std::isfinite(position.y)) return "a node's position must be finite";
+    if (is_output(*type) && !document.entered.empty())
+        return "a group gives what one of its nodes gives; it has no output node";
+    if (const Group* group = group_of(document, name); group && contains(document, group->name, document.entered))
+        return "a group cannot contain itself";
     if (is_output(*type) && shown_output(document, library))
         return "a scene has one output, and this one has it already";
     return std::nullopt;
@@ -52,6 +57,12 @@ void Draft::hand_over(std::span<const Wire> readers, NodeId heir)
     if (refusal_) return;
     for (const Wire& reader : readers)
         if (node(reader.target).unknown_source.empty()) wire(heir, reader.target, reader.socket);
+}
+
+void Draft::hand_over_output(NodeId before, NodeId heir)
+{
+    Group* group = find_group(draft_, draft_.entered);
+    if (!refusal_ && group && group->output == before) group->output = heir;
 }
 
 void Draft::set(NodeId node, std::string_view parameter, Value value)

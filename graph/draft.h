@@ -25,6 +25,8 @@ public:
     void wire(NodeId source, NodeId target, std::string_view socket);
     // What reads `source` reads `heir` from now on; nodes of unknown type stay as they are.
     void hand_over(std::span<const Wire> readers, NodeId heir);
+    // Inside a group: what was its output hands that on too.
+    void hand_over_output(NodeId before, NodeId heir);
     void set(NodeId node, std::string_view parameter, Value value);
     // Moves everything that hangs on `readers` right, when the nearest of it is not a column away from `node`.
     void make_room(NodeId node, const Readers& all_readers, std::span<const Wire> readers);

@@ -1,6 +1,8 @@
 // The edits: each checks first and changes the document only when nothing speaks against it.
 #include "graph/edits.h"
 
+#include "graph/group_rules.h"
+#include "graph/group_types.h"
 #include "graph/json.h"
 #include "graph/limits.h"
 #include "graph/settings.h"
@@ -175,7 +177,7 @@ Refusal new_wires_error(const Document& document, const Library& library, const 
 NodeId add_node(Document& document, const Library& library, std::string_view type_name, glm::vec2 position)
 {
     const NodeType* type = library.type(type_name);
-    if (!type || document.root.nodes.size() >= node_limit || !is_finite(position)) return {};
+    if (!type || node_count(document) >= node_limit || !is_finite(position)) return {};
     Node node;
     node.id = {document.next_id++};
     node.type = type->name;
@@ -364,20 +366,38 @@ std::vector<NodeId> find_cycle(const Graph& graph)
     return {};
 }
 
+namespace {
+
+Refusal graph_error(const Document& document, const Library& library, const Graph& graph)
+{
+    auto unordered = [](const Node& a, const Node& b) { return a.id >= b.id; };
+    if (std::adjacent_find(graph.nodes.begin(), graph.nodes.end(), unordered) != graph.nodes.end())
+        return "the nodes are not sorted by id, each once";
+    for (const Node& node : graph.nodes)
+        if (Refusal refusal = node_error(document, library, node)) return refusal;
+    if (Refusal refusal = WireRules(graph, library, Wording::file).add_all()) return refusal;
+    if (std::vector<NodeId> cycle = find_cycle(graph); !cycle.empty())
+        return "the wires " + cycle_text(cycle) + " make a cycle; remove one of them";
+    return std::nullopt;
+}
+
+}  // namespace
+
 Refusal validate(const Document& document, const Library& library)
 {
     if (Refusal refusal = setting_refusal(setting_error(document.march))) return refusal;
     if (Refusal refusal = setting_refusal(setting_error(document.occlusion))) return refusal;
-    const std::vector<Node>& nodes = document.root.nodes;
-    auto unordered = [](const Node& a, const Node& b) { return a.id >= b.id; };
-    if (std::adjacent_find(nodes.begin(), nodes.end(), unordered) != nodes.end())
-        return "the nodes are not sorted by id, each once";
-    for (const Node& node : nodes)
-        if (Refusal refusal = node_error(document, library, node)) return refusal;
-    if (Refusal refusal = WireRules(document.root, library, Wording::file).add_all()) return refusal;
-    if (std::vector<NodeId> cycle = find_cycle(document.root); !cycle.empty())
-        return "the wires " + cycle_text(cycle) + " make a cycle; remove one of them";
-    return std::nullopt;
+    auto names_unordered = [](const OwnType& a, const OwnType& b) { return a.name >= b.name; };
+    const std::vector<OwnType>& types = document.own_types;
+    if (std::adjacent_find(types.begin(), types.end(), names_unordered) != types.end())
+        return "the own types are not sorted by name, each once";
+    if (document.groups.empty()) return graph_error(document, library, document.root);
+    std::shared_ptr<const Library> own = with_groups(library, document);
+    if (Refusal refusal = groups_error(document, *own)) return refusal;
+    for (const Group& group : document.groups)
+        if (Refusal refusal = graph_error(document, *own, group.graph))
+            return "group " + in_quotes(group.name) + ": " + *refusal;
+    return graph_error(document, *own, document.root);
 }
 
 int field_dimension(const Document& document, const Library& library, NodeId id)

@@ -2,7 +2,11 @@
 #include "graph/fragment.h"
 
 #include "graph/draft.h"
+#include "graph/group_edits.h"
+#include "graph/group_types.h"
 #include "graph/json.h"
+#include "graph/own_type_edits.h"
+#include "graph/own_types.h"
 #include "graph/wire_rules.h"
 
 #include <algorithm>
@@ -30,7 +34,8 @@ void drop_second_outputs(Fragment& fragment, const Document& document, const Lib
 {
     bool taken = shown_output(document, library) != nullptr;
     std::erase_if(fragment.nodes, [&](const Node& node) {
-        bool output = is_output(*library.type(node.type));
+        const NodeType* type = library.type(node.type);
+        bool output = type && is_output(*type);
         return output && std::exchange(taken, true);
     });
 }
@@ -91,6 +96,30 @@ private:
     std::map<NodeId, NodeId> copies_;  // by the copied id; both ascend
 };
 
+bool uses_type(const Graph& graph, std::string_view type)
+{
+    return std::any_of(graph.nodes.begin(), graph.nodes.end(), [&](const Node& node) { return node.type == type; });
+}
+
+// The fragment's own types go into the document, those that it has already apart.
+Refusal bring_types(Fragment& fragment, Document& document, const Library& library)
+{
+    for (const OwnType& own : fragment.own_types) {
+        if (const OwnType* known = find_own_type(document, own.name); known && *known == own) continue;
+        OwnType added = own;
+        if (find_own_type(document, own.name) || !own_name_error(library, own.name).empty())
+            added = renamed(own, fresh_own_name(document, library, own.name));
+        if (Refusal refusal = add_own_type(document, library, added)) return refusal;
+        auto retype = [&](std::vector<Node>& nodes) {
+            for (Node& node : nodes)
+                if (node.type == own.name) node.type = added.name;
+        };
+        retype(fragment.nodes);
+        for (Group& group : fragment.groups) retype(group.graph.nodes);
+    }
+    return std::nullopt;
+}
+
 Pasted plant(Document& document, const Library& library, const Fragment& fragment, glm::vec2 shift_px,
              Incoming incoming)
 {
@@ -100,14 +129,38 @@ Pasted plant(Document& document, const Library& library, const Fragment& fragmen
     return {std::move(added), std::nullopt};
 }
 
+// The groups first, as the nodes may be of them.
+Pasted plant_with_groups(Document& document, const Library& library, Fragment fragment, glm::vec2 position,
+                         Incoming incoming)
+{
+    glm::vec2 shift_px = position - corner(fragment.nodes);
+    Document with_groups = document;
+    Imported imported = import_groups(with_groups, fragment.groups);
+    if (imported.refusal) return {{}, imported.refusal};
+    for (Node& node : fragment.nodes)
+        if (node.type.starts_with(group_prefix))
+            node.type = group_type_name(imported.names.at(node.type.substr(group_prefix.size())));
+    Pasted pasted = plant(with_groups, *library_of(with_groups, library), fragment, shift_px, incoming);
+    if (!pasted.refusal) document = std::move(with_groups);
+    return pasted;
+}
+
 }  // namespace
 
 std::string copy_nodes(const Document& document, const Library&, const std::set<NodeId>& ids)
 {
-    std::vector<Node> nodes;
+    Graph copied;
     for (const Node& node : document.root.nodes)
-        if (ids.contains(node.id) && node.unknown_source.empty()) nodes.push_back(node);
-    return nodes.empty() ? std::string() : write_fragment(nodes);
+        if (ids.contains(node.id) && node.unknown_source.empty()) copied.nodes.push_back(node);
+    if (copied.nodes.empty()) return {};
+    std::vector<Group> groups = with_inner_groups(document, groups_used_by(copied));
+    std::vector<OwnType> own_types = document.own_types;
+    std::erase_if(own_types, [&](const OwnType& own) {
+        bool used = uses_type(copied, own.name);
+        for (const Group& group : groups) used = used || uses_type(group.graph, own.name);
+        return !used;
+    });
+    return write_fragment(copied.nodes, own_types, groups);
 }
 
 Pasted paste_nodes(Document& document, const Library& library, std::string_view text, glm::vec2 position,
@@ -118,9 +171,14 @@ Pasted paste_nodes(Document& document, const Library& library, std::string_view 
     try {
         Fragment fragment = read_fragment(text, library);
         if (fragment.nodes.empty()) return {{}, "the clipboard holds no nodes of a type known here"};
-        drop_second_outputs(fragment, document, library);
+        Document with_types = document;
+        if (Refusal refusal = bring_types(fragment, with_types, library)) return {{}, refusal};
+        std::shared_ptr<const Library> known = with_own_types(library, with_types.own_types);
+        drop_second_outputs(fragment, document, *known);
         if (fragment.nodes.empty()) return {{}, "a scene has one output, and this one has it already"};
-        return plant(document, library, fragment, position - corner(fragment.nodes), incoming);
+        Pasted pasted = plant_with_groups(with_types, *known, std::move(fragment), position, incoming);
+        if (!pasted.refusal) document = std::move(with_types);
+        return pasted;
     } catch (const Failure& failure) {
         return {{}, std::string("the nodes cannot be pasted: ") + failure.what()};
     }

@@ -11,10 +11,14 @@ inline constexpr int fragment_version = 1;
 struct Fragment {
     std::vector<Node> nodes;     // sorted by id; `inputs` are the wires among them
     std::vector<Wire> incoming;  // from nodes that are not among them
+    std::vector<OwnType> own_types;
+    std::vector<Group> groups;  // that they are of, however deep; sorted by name
 };
 
-// The clipboard's text: {"format": "fieldwright-nodes", "version": 1, "nodes": {as in scene files}}.
-std::string write_fragment(const std::vector<Node>& nodes);
+// The clipboard's text: {"format": "fieldwright-nodes", "version": 1, "types": {...}, "groups": {...}, "nodes": {...}}, as
+// in scene files.
+std::string write_fragment(const std::vector<Node>& nodes, const std::vector<OwnType>& own_types = {},
+                           const std::vector<Group>& groups = {});
 // As strict and limited as scene files. Nodes of unknown type are left out. Throws Failure{3, ...}.
 Fragment read_fragment(std::string_view text, const Library& library, std::string_view name = "clipboard");
 
@@ -28,7 +32,8 @@ struct Pasted {
 };
 enum class Incoming { drop, keep };  // wires from outside, where their source is in the document and fits
 
-// One step for undo. The left upper corner of the nodes comes to `position`. A second output is left out.
+// One step for undo. The left upper corner of the nodes comes to `position`. A second output is left out. Own types
+// come along, under another name where theirs is taken; the library of the document is another one then.
 Pasted paste_nodes(Document& document, const Library& library, std::string_view text, glm::vec2 position,
                    Incoming incoming = Incoming::drop);
 Pasted duplicate_nodes(Document& document, const Library& library, const std::set<NodeId>& nodes, glm::vec2 offset_px,

@@ -11,10 +11,10 @@ History::History(Document document) : current_(document)
     references_ = current_.root.nodes.size();
 }
 
-// Nodes that the current step has too are shared with it.
+// Nodes and groups that the current step has too are shared with it.
 History::Step History::step_of(Document document, std::string name) const
 {
-    Step step{std::move(name), {}, {}};
+    Step step{std::move(name), {}, {}, {}};
     step.nodes.reserve(document.root.nodes.size());
     std::size_t before = 0, before_count = steps_.empty() ? 0 : steps_[step_].nodes.size();
     for (Node& node : document.root.nodes) {
@@ -22,7 +22,15 @@ History::Step History::step_of(Document document, std::string name) const
         bool same = before < before_count && *steps_[step_].nodes[before] == node;
         step.nodes.push_back(same ? steps_[step_].nodes[before] : std::make_shared<const Node>(std::move(node)));
     }
+    for (Group& group : document.groups) {
+        const std::shared_ptr<const Group>* same = nullptr;
+        if (!steps_.empty())
+            for (const auto& known : steps_[step_].groups)
+                if (known->name == group.name && *known == group) same = &known;
+        step.groups.push_back(same ? *same : std::make_shared<const Group>(std::move(group)));
+    }
     document.root.nodes.clear();
+    document.groups.clear();
     step.rest = std::move(document);
     return step;
 }
@@ -33,6 +41,7 @@ void History::stand_on(std::size_t step)
     current_ = steps_[step_].rest;
     current_.root.nodes.reserve(steps_[step_].nodes.size());
     for (const auto& node : steps_[step_].nodes) current_.root.nodes.push_back(*node);
+    for (const auto& group : steps_[step_].groups) current_.groups.push_back(*group);
 }
 
 bool History::record(Document document, std::string name)

@@ -1,4 +1,4 @@
-// Undo as a list of documents: one step per gesture, named. Steps share the nodes they have in common.
+// Undo as a list of documents: one step per gesture, named. Steps share the nodes and groups they have in common.
 #pragma once
 
 #include "graph/document.h"
@@ -41,8 +41,9 @@ public:
 private:
     struct Step {
         std::string name;
-        Document rest;  // without its nodes
+        Document rest;  // without its nodes and groups
         std::vector<std::shared_ptr<const Node>> nodes;
+        std::vector<std::shared_ptr<const Group>> groups;
     };
     Step step_of(Document document, std::string name) const;
     void stand_on(std::size_t step);

@@ -1,6 +1,8 @@
 // Requests from nodes.
 #include "graph/image_request.h"
 
+#include "graph/groups.h"
+
 #include <algorithm>
 
 namespace fieldwright::graph {
@@ -44,9 +46,11 @@ std::optional<ImageRequest> image_request(const Node& node, const NodeType& type
 std::vector<ImageRequest> image_requests(const Document& document, const Library& library)
 {
     std::vector<ImageRequest> requests;
-    for (const Node& node : document.root.nodes)
-        if (const NodeType* type = library.type(node.type))
-            if (auto request = image_request(node, *type)) requests.push_back(std::move(*request));
+    for_each_graph(document, [&](const Graph& graph) {
+        for (const Node& node : graph.nodes)
+            if (const NodeType* type = library.type(node.type))
+                if (auto request = image_request(node, *type)) requests.push_back(std::move(*request));
+    });
     std::sort(requests.begin(), requests.end());
     requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
     return requests;

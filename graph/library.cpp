@@ -59,37 +59,112 @@ std::shared_ptr<const Library> Library::load(const std::filesystem::path& folder
     return from_texts(texts, embedded_texts());
 }
 
+std::shared_ptr<const Library::Shading> Library::shading(const std::map<std::string, std::string>& texts)
+{
+    auto shading = std::make_shared<Shading>();
+    shading->texts = texts;
+    std::vector<std::string> struct_names;
+    for (const std::string& path : dialect_paths(texts)) {
+        shading->files.push_back(parse_source(path, texts.at(path), struct_names));
+        for (const StructDeclaration& declared : shading->files.back().structs) {
+            shading->structs.push_back(declared);
+            struct_names.push_back(declared.name);
+        }
+    }
+    for (const SourceFile& file : shading->files)
+        for (const Function& function : file.functions) shading->support[function.name] = &function;
+    return shading;
+}
+
 std::shared_ptr<const Library> Library::from_texts(const std::map<std::string, std::string>& texts,
                                                    const std::map<std::string, std::string>& builtin)
 {
     auto library = std::make_shared<Library>();
-    library->texts_ = texts;
-    std::vector<std::string> struct_names;
-    for (const std::string& path : dialect_paths(texts)) {
-        library->render_.push_back(parse_source(path, texts.at(path), struct_names));
-        for (const StructDeclaration& declared : library->render_.back().structs) {
-            library->structs_.push_back(declared);
-            struct_names.push_back(declared.name);
-        }
-    }
-    for (const SourceFile& file : library->render_)
-        for (const Function& function : file.functions) library->support_[function.name] = &function;
+    library->shading_ = shading(texts);
+    std::vector<std::string> struct_names = library->struct_names();
     for (const auto& [path, text] : texts) {
         if (!path.starts_with("nodes/")) continue;
-        auto type = std::make_unique<NodeType>(declare_node(parse_source(path, text, struct_names)));
+        auto type = std::make_shared<NodeType>(declare_node(parse_source(path, text, struct_names)));
         auto same = builtin.find(path);
         type->compiled = same != builtin.end() && same->second == text;
-        if (auto [other, added] = library->by_name_.emplace(type->name, type.get()); !added)
+        if (const NodeType* other = library->type(type->name))
             throw DialectError(path, 1,
-                               "a node named `" + type->name + "` exists already in " + other->second->source.path +
+                               "a node named `" + type->name + "` exists already in " + other->source.path +
                                    "; rename one of the files");
-        library->ordered_.push_back(type.get());
-        library->types_.push_back(std::move(type));
+        library->add(std::move(type));
     }
-    std::sort(library->ordered_.begin(), library->ordered_.end(), [](const NodeType* a, const NodeType* b) {
+    library->order();
+    return library;
+}
+
+void Library::add(std::shared_ptr<const NodeType> type)
+{
+    by_name_.emplace(type->name, type.get());
+    ordered_.push_back(type.get());
+    types_.push_back(std::move(type));
+}
+
+void Library::order()
+{
+    std::sort(ordered_.begin(), ordered_.end(), [](const NodeType* a, const NodeType* b) {
         return std::tie(a->category, a->name) < std::tie(b->category, b->name);
     });
+}
+
+std::shared_ptr<const Library> Library::without(Origin origin,
+                                                const std::function<bool(const NodeType&)>& dropped) const
+{
+    auto library = std::make_shared<Library>();
+    library->shading_ = shading_;
+    for (const auto& type : types_)
+        if (type->origin < origin && !(dropped && dropped(*type))) library->add(type);
+    for (const auto& [name, place] : left_out_)
+        if (place.first < origin) library->left_out_.emplace(name, place);
+    library->order();
     return library;
+}
+
+std::shared_ptr<const Library> Library::with(Origin origin, Additions additions, std::vector<OwnType> own_types) const
+{
+    auto library = std::make_shared<Library>(*without(origin));
+    library->own_types_ = origin > Origin::document ? own_types_ : std::move(own_types);
+    for (NodeType& type : additions.types) {
+        type.origin = origin;
+        library->add(std::make_shared<NodeType>(std::move(type)));
+    }
+    for (auto& [name, error] : additions.left_out)
+        library->left_out_.insert_or_assign(name, std::pair(origin, std::move(error)));
+    library->order();
+    return library;
+}
+
+std::vector<std::string> Library::struct_names() const
+{
+    std::vector<std::string> names;
+    for (const StructDeclaration& declared : structs()) names.push_back(declared.name);
+    return names;
+}
+
+const TextError* Library::left_out(std::string_view name) const
+{
+    auto found = left_out_.find(name);
+    return found == left_out_.end() ? nullptr : &found->second.second;
+}
+
+std::vector<std::pair<std::string, TextError>> Library::left_out_of(Origin origin) const
+{
+    std::vector<std::pair<std::string, TextError>> found;
+    for (const auto& [name, place] : left_out_)
+        if (place.first == origin) found.emplace_back(name, place.second);
+    return found;
+}
+
+std::string sentence(const TextError& error)
+{
+    if (!error.line) return error.rule;
+    std::string place = "line " + std::to_string(error.line);
+    if (error.column) place += ", column " + std::to_string(error.column);
+    return place + ": " + error.rule;
 }
 
 const NodeType* Library::type(std::string_view name) const
@@ -100,12 +175,13 @@ const NodeType* Library::type(std::string_view name) const
 
 const Function& Library::support(std::string_view name) const
 {
-    auto found = support_.find(name);
-    if (found == support_.end()) throw std::out_of_range("the shading library has no function " + std::string(name));
+    auto found = shading_->support.find(name);
+    if (found == shading_->support.end())
+        throw std::out_of_range("the shading library has no function " + std::string(name));
     return *found->second;
 }
 
-const std::string& Library::text(std::string_view path) const { return texts_.at(std::string(path)); }
+const std::string& Library::text(std::string_view path) const { return shading_->texts.at(std::string(path)); }
 
 const Function* NodeType::function(std::string_view suffix) const
 {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "graph/dialect.h"
+#include "graph/own_type.h"
 #include "graph/value.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -61,6 +63,9 @@ enum class Quality { exact, bound, approximate };
 // Lipschitz constant may be divided out below it; `hard associative` chains are also rebalanced.
 enum class Scaling { none, hard, hard_associative };
 
+// Where a node type comes from; later ones stand on earlier ones.
+enum class Origin { program, user_folder, document, group };
+
 struct NodeType {
     std::string name;      // file stem: the word in scene files
     std::string category;  // folder
@@ -77,6 +82,9 @@ struct NodeType {
     SocketKind output = SocketKind::none;
     SourceFile source;
     bool compiled = false;  // the text equals the one built into this program, so the CPU can run it
+    Origin origin = Origin::program;
+    bool held_back = false;  // its code must not run, for the reason that the library gives: it counts as unconnected
+    bool former = false;     // declared by an earlier text than the document's, which the library has left out
 
     const Function* function(std::string_view suffix) const;  // "distance", "point", ...; null when absent
     const Parameter* parameter(std::string_view name) const;
@@ -84,7 +92,22 @@ struct NodeType {
     bool is_field() const;
 };
 
-// Immutable after loading; shared by documents, lowering and printers.
+// Where a text is not a node, and why.
+struct TextError {
+    int line = 0, column = 0;  // from 1; 0 = as a whole
+    std::string rule;
+    bool waiting = false;  // nothing is wrong yet: it is being looked at
+    bool operator==(const TextError&) const = default;
+};
+std::string sentence(const TextError& error);  // "line 3, column 14: the number 1.0 needs ..."
+
+// What a library has beside the program's own types.
+struct Additions {
+    std::vector<NodeType> types;
+    std::map<std::string, TextError> left_out;  // by name
+};
+
+// Immutable after loading; shared by documents, lowering and printers. Libraries that differ in additions share the rest.
 class Library {
 public:
     // The files built into the program.
@@ -94,18 +117,26 @@ public:
     // From texts: path relative to shaders/ -> content. `builtin` marks nodes whose text is equal as compiled.
     static std::shared_ptr<const Library> from_texts(const std::map<std::string, std::string>& texts,
                                                      const std::map<std::string, std::string>& builtin);
+    // This library with other additions of that origin and none of a later one. Their names must be free in it.
+    std::shared_ptr<const Library> with(Origin origin, Additions additions, std::vector<OwnType> own_types = {}) const;
+    // Without types of that origin and later ones, and without those that `dropped` picks.
+    std::shared_ptr<const Library> without(Origin origin,
+                                           const std::function<bool(const NodeType&)>& dropped = {}) const;
+    const std::vector<OwnType>& own_types() const { return own_types_; }  // the document's, as given to `with`
+    const TextError* left_out(std::string_view name) const;               // null unless a text of that name is broken
+    std::vector<std::pair<std::string, TextError>> left_out_of(Origin origin) const;  // by name
 
     const NodeType* type(std::string_view name) const;     // null when unknown
     const Function& support(std::string_view name) const;  // of shaders/render; throws std::out_of_range
     const std::vector<const NodeType*>& types() const { return ordered_; }  // by category, then name
-    const std::vector<StructDeclaration>& structs() const { return structs_; }
-    const std::vector<SourceFile>& render_files() const { return render_; }  // dialect files, in dependency order
-    const std::string& text(std::string_view path) const;                    // any file by path relative to shaders/
-    int lanes(const Type& type) const { return lane_count(type, structs_); }
+    const std::vector<StructDeclaration>& structs() const { return shading_->structs; }
+    const std::vector<SourceFile>& render_files() const { return shading_->files; }  // dialect, in dependency order
+    const std::string& text(std::string_view path) const;  // any file by path relative to shaders/
+    std::vector<std::string> struct_names() const;
+    bool has_support(std::string_view name) const { return shading_->support.contains(name); }
+    int lanes(const Type& type) const { return lane_count(type, structs()); }
 
 private:
-    std::vector<std::unique_ptr<NodeType>> types_;
-    std::vector<const NodeType*> ordered_;
     struct NameHash {
         using is_transparent = void;
         std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
@@ -113,11 +144,22 @@ private:
     template <typename T>
     using ByName = std::unordered_map<std::string, T, NameHash, std::equal_to<>>;
 
+    struct Shading {
+        std::vector<SourceFile> files;
+        ByName<const Function*> support;  // of the files
+        std::vector<StructDeclaration> structs;
+        std::map<std::string, std::string> texts;
+    };
+    static std::shared_ptr<const Shading> shading(const std::map<std::string, std::string>& texts);
+    void add(std::shared_ptr<const NodeType> type);
+    void order();
+
+    std::shared_ptr<const Shading> shading_;
+    std::vector<std::shared_ptr<const NodeType>> types_;
+    std::vector<const NodeType*> ordered_;  // derived, as by_name_
     ByName<const NodeType*> by_name_;
-    std::vector<SourceFile> render_;
-    ByName<const Function*> support_;
-    std::vector<StructDeclaration> structs_;
-    std::map<std::string, std::string> texts_;
+    std::map<std::string, std::pair<Origin, TextError>, std::less<>> left_out_;
+    std::vector<OwnType> own_types_;
 };
 
 // The texts built into the program: path relative to shaders/ -> content. Generated at build time.

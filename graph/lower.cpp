@@ -23,6 +23,7 @@ Program Lowering::lower()
 {
     int output = find_output();
     int root = options_.root ? index_of(options_.root) : field_source(output, "d");
+    if (root >= 0 && !types_[static_cast<std::size_t>(root)]) root = -1;
     Entry distance = lower_distance(root);
     if (over_cost_) {
         problems_.push_back({output >= 0 ? nodes()[static_cast<std::size_t>(output)].id : NodeId{},
@@ -65,19 +66,13 @@ void Lowering::resolve_types()
     for (const Node& node : nodes()) {
         types_.push_back(builder_.library().type(node.type));
         stored_offset_.push_back(parameters);
-        bool known = types_.back() != nullptr;
-        if (known && !has_its_image(node, *types_.back())) types_.back() = nullptr;
-        if (types_.back()) parameters += static_cast<int>(types_.back()->parameters.size());
-        if (!known)
-            problems_.push_back({node.id, "this version does not know nodes of type " + titled(node.type) +
-                                              "; it counts as unconnected"});
-        else if (!types_.back())
-            continue;  // said by has_its_image
-        else if (std::string error = formula_error(node, *types_.back()); !error.empty()) {
-            problems_.push_back({node.id, error + "; the node counts as unconnected"});
-            types_.back() = nullptr;
-        } else if (!types_.back()->compiled)
+        const NodeType* type = types_.back();
+        bool known = type && !type->held_back;
+        if (!known || type->former) tell_left_out(node, type);
+        if (!known || !has_its_image(node, *type) || !has_good_formulas(node, *type)) types_.back() = nullptr;
+        else if (!type->compiled && !type->former)
             note(node.id, "this node is not compiled into the program and runs on the GPU only");
+        if (types_.back()) parameters += static_cast<int>(type->parameters.size());
     }
     stored_.assign(static_cast<std::size_t>(parameters), no_value);
 }
@@ -92,6 +87,23 @@ bool Lowering::has_its_image(const Node& node, const NodeType& type)
     if (image) problems_.push_back({node.id, image->sentence});
     else note(node.id, "reading the picture " + request->path);
     return false;
+}
+
+bool Lowering::has_good_formulas(const Node& node, const NodeType& type)
+{
+    std::string error = formula_error(node, type);
+    if (!error.empty()) problems_.push_back({node.id, error + "; the node counts as unconnected"});
+    return error.empty();
+}
+
+// Without its type a node counts as unconnected.
+void Lowering::tell_left_out(const Node& node, const NodeType* type)
+{
+    const TextError* error = builder_.library().left_out(node.type);
+    std::string why = error ? sentence(*error) : "this version does not know nodes of type " + titled(node.type);
+    if (error && error->waiting) return note(node.id, why);
+    why += type && type->former ? "; what it was before is shown" : "; it counts as unconnected";
+    problems_.push_back({node.id, std::move(why)});
 }
 
 void Lowering::count_uses()
@@ -254,8 +266,38 @@ std::vector<LightEntry> Lowering::lower_lights()
     return lights;
 }
 
+namespace {
+
+// The same problem of every copy is told once for each group node of the scene.
+std::vector<Problem> told_of_groups(const std::vector<Problem>& problems, const std::vector<InnerCopy>& copies)
+{
+    std::vector<Problem> told;
+    for (Problem problem : problems) {
+        std::vector<NodeId> path = path_of(copies, problem.node);
+        problem.node = path.front();
+        problem.inside.assign(path.begin() + 1, path.end());
+        if (std::find(told.begin(), told.end(), problem) == told.end()) told.push_back(std::move(problem));
+    }
+    return told;
+}
+
+Program lower_groups(const Document& document, const std::shared_ptr<const Library>& library, LowerOptions options)
+{
+    Expansion expansion = expanded(document, *library);
+    if (auto found = expansion.stand_ins.find(options.root); found != expansion.stand_ins.end())
+        options.root = found->second;
+    Program program = Lowering(expansion.document, library, options).lower();
+    program.problems = told_of_groups(program.problems, expansion.copies);
+    program.problems.insert(program.problems.end(), expansion.problems.begin(), expansion.problems.end());
+    program.inner_copies = std::move(expansion.copies);
+    return program;
+}
+
+}  // namespace
+
 Program lower(const Document& document, const std::shared_ptr<const Library>& library, const LowerOptions& options)
 {
+    if (!document.groups.empty()) return lower_groups(document, library, options);
     return Lowering(document, library, options).lower();
 }
 

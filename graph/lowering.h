@@ -51,6 +51,8 @@ private:
     void resolve_types();
     bool has_its_image(const Node& node, const NodeType& type);
     ValueId image_list(int index, const Parameter& parameter);
+    bool has_good_formulas(const Node& node, const NodeType& type);
+    void tell_left_out(const Node& node, const NodeType* type);
     void count_uses();
     int find_output();
     void note(NodeId node, std::string sentence);

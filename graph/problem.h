@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace fieldwright::graph {
 
@@ -20,6 +21,7 @@ struct Problem {
     NodeId node;
     std::string sentence;
     Severity severity = Severity::error;
+    std::vector<NodeId> inside;  // groups: the way from `node` to the inner node that it is about
     bool operator==(const Problem&) const = default;
 };
 

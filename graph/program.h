@@ -1,9 +1,8 @@
 // The program: what a document means, as flat lists of typed calls. Printers and evaluators read it; none of it is text.
 #pragma once
 
-#include "graph/document.h"
+#include "graph/expansion.h"
 #include "graph/image_request.h"
-#include "graph/library.h"
 
 #include <memory>
 #include <span>
@@ -87,12 +86,14 @@ struct Program {
     ValueId lipschitz = no_value;    // largest constant divided out anywhere, when there is one
     bool gpu_only = false;           // a node is not compiled into this program
     std::vector<Problem> problems;
+    std::vector<InnerCopy> inner_copies;  // what the ids of nodes stand for that the scene itself does not have
 };
 
 struct LowerOptions {
     std::int64_t cost_limit = 2048;
     bool bounds = false;
-    // When set, the distance entry is this node's field instead of the output's (2D fields at z = 0).
+    // When set, the distance entry is this node's field instead of the output's (2D fields at z = 0). Of a node in a
+    // group, its first copy's.
     NodeId root;
     // Whether surfaces know their node and material id. Without, both are 0 everywhere, and of combiners only those
     // are left in the surface entry whose sides differ in material: the shader is ready sooner.
@@ -103,7 +104,8 @@ struct LowerOptions {
     const BakedImages* images = nullptr;
 };
 
-// Pure; never throws for a valid document. Problems' nodes count as unconnected.
+// Pure; never throws for a valid document at rest. Problems' nodes count as unconnected. A problem inside a group is
+// about the group node in the scene, and says the way from there.
 Program lower(const Document& document, const std::shared_ptr<const Library>& library,
               const LowerOptions& options = {});
 

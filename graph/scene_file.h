@@ -13,6 +13,9 @@ Document read_scene(std::string_view text, const Library& library, std::string_v
 // Deterministic text: format first, nodes by id, every parameter, floats shortest round trip, ends with a newline.
 std::string write_scene(const Document& document, const Library& library);
 
+// A parameter's value as scene JSON has it. Failure 3 when the parameter does not take it.
+Value read_value(std::string_view json, const Parameter& parameter);
+
 // Regular files only, at most 16 MB; refuses FIFOs, devices, folders and symlink loops without blocking. Failure 3.
 Document open_scene(const std::filesystem::path& path, const Library& library);
 void save_scene(const std::filesystem::path& path, const Document& document, const Library& library);  // Failure 5

@@ -2,6 +2,7 @@
 #include "graph/scene_parts.h"
 
 #include "graph/draft.h"
+#include "graph/groups.h"
 #include "graph/known_types.h"
 #include "graph/wire_rules.h"
 
@@ -217,6 +218,7 @@ Refusal assign_material(Document& document, const Library& library, NodeId mater
 
 Placed set_scene_camera_from_view(Document& document, const Library& library, const SceneView& view)
 {
+    AtRest scene(document);
     std::string_view type = view.height ? known_types::orthographic : known_types::perspective;
     Draft draft(document, library);
     NodeId replaced, camera = camera_of_type(draft, type, replaced);

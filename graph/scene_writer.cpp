@@ -5,6 +5,7 @@
 #include "graph/settings.h"
 
 #include <cmath>
+#include <utility>
 
 namespace fieldwright::graph {
 namespace {
@@ -22,12 +23,12 @@ public:
         open("occlusion");
         numbers(document.occlusion, occlusion_numbers);
         close();
+        types(document.own_types);
         open("graphs");
         open("root");
-        open("nodes");
-        for (const Node& node : document.root.nodes) write_node(node);
+        nodes(document.root.nodes);
         close();
-        close();
+        groups(document.groups);
         close();
         for (const auto& [key, json] : document.extras) raw(key, json);
         close();
@@ -35,20 +36,74 @@ public:
         return std::move(out_);
     }
 
-    std::string write(const std::vector<Node>& nodes)
+    std::string write(const std::vector<Node>& copied, const std::vector<OwnType>& own_types,
+                      const std::vector<Group>& used)
     {
         open("");
         text("format", fragment_format);
         raw("version", std::to_string(fragment_version));
-        open("nodes");
-        for (const Node& node : nodes) write_node(node);
-        close();
+        types(own_types);
+        if (!used.empty()) {
+            open("groups");
+            groups(used);
+            close();
+        }
+        nodes(copied);
         close();
         out_ += '\n';
         return std::move(out_);
     }
 
 private:
+    void nodes(const std::vector<Node>& list)
+    {
+        open("nodes");
+        for (const Node& node : list) write_node(node);
+        close();
+    }
+
+    void groups(const std::vector<Group>& groups)
+    {
+        for (const Group& group : groups) {
+            open(group.name);
+            if (group.output) raw("output", std::to_string(group.output.number));
+            exposed(group.exposed);
+            nodes(group.graph.nodes);
+            close();
+        }
+    }
+
+    void exposed(const std::vector<Exposed>& list)
+    {
+        key("exposed");
+        out_ += '[';
+        ++depth_;
+        empty_ = true;
+        for (const Exposed& exposed : list) {
+            if (!std::exchange(empty_, false)) out_ += ',';
+            new_line();
+            out_ += "{\"name\": ";
+            append_json_string(out_, exposed.name);
+            out_ += ", \"help\": ";
+            append_json_string(out_, exposed.help);
+            out_ += ", \"node\": " + std::to_string(exposed.node.number) + ", \"socket\": ";
+            append_json_string(out_, exposed.socket);
+            out_ += '}';
+        }
+        --depth_;
+        if (!empty_) new_line();
+        out_ += ']';
+        empty_ = false;
+    }
+
+    void types(const std::vector<OwnType>& own_types)
+    {
+        if (own_types.empty()) return;
+        open("types");
+        for (const OwnType& type : own_types) text(type.name, type.text);
+        close();
+    }
+
     void march(const MarchSettings& settings)
     {
         open("march");
@@ -171,6 +226,10 @@ private:
 
 std::string write_scene(const Document& document, const Library&) { return SceneWriter().write(document); }
 
-std::string write_fragment(const std::vector<Node>& nodes) { return SceneWriter().write(nodes); }
+std::string write_fragment(const std::vector<Node>& nodes, const std::vector<OwnType>& own_types,
+                           const std::vector<Group>& groups)
+{
+    return SceneWriter().write(nodes, own_types, groups);
+}
 
 }  // namespace fieldwright::graph

@@ -4,6 +4,7 @@
 #include "ui/keys.h"
 #include "ui/node_words.h"
 
+#include "graph/groups.h"
 #include "graph/search.h"
 
 #include <imgui_internal.h>
@@ -23,8 +24,9 @@ constexpr float menu_width = 460, menu_height = 372, column_width = 112;  // des
 constexpr std::size_t recent_limit = 8;
 
 // What a scene is built from first comes first; others follow by name.
-constexpr std::array<std::string_view, 11> category_order = {
-    "primitive", "shape2d", "combine", "modify", "domain", "convert", "material", "light", "camera", "sky", "value"};
+constexpr std::array<std::string_view, 13> category_order = {"primitive", "shape2d",  "combine",  "modify", "domain",
+                                                             "convert",   "material", "light",    "camera", "sky",
+                                                             "value",     "group",    "my_groups"};
 
 std::size_t category_rank(std::string_view category)
 {
@@ -72,7 +74,7 @@ void AddMenu::remember(const std::string& type)
     if (recent_.size() > recent_limit) recent_.pop_back();
 }
 
-void AddMenu::find_offered(const Draft& draft)
+void AddMenu::find_offered(const Draft& draft, const std::vector<SavedGroup>& saved)
 {
     offered_.clear();
     if (place_.end) offered_ = fitting(draft, *place_.end);
@@ -83,10 +85,16 @@ void AddMenu::find_offered(const Draft& draft)
         for (const NodeType* type : fitting(draft, {target->id, place_.on_wire->socket}))
             if (std::find(before.begin(), before.end(), type) != before.end()) offered_.push_back(type);
     } else {
-        bool rooted = has_output_node(draft.document, draft.library);
+        bool rooted = !draft.document.entered.empty() || has_output_node(draft.document, draft.library);
         for (const NodeType* type : draft.library.types())
             if (!rooted || type->category != "output") offered_.push_back(type);
+        for (const SavedGroup& group : saved) offered_.push_back(&group.type);
     }
+    // A group cannot contain itself.
+    std::erase_if(offered_, [&](const NodeType* type) {
+        const graph::Group* group = graph::group_of(draft.document, type->name);
+        return group && graph::contains(draft.document, group->name, draft.document.entered);
+    });
     std::stable_sort(offered_.begin(), offered_.end(), [](const NodeType* a, const NodeType* b) {
         return category_rank(a->category) < category_rank(b->category);
     });
@@ -120,9 +128,10 @@ std::vector<const NodeType*> AddMenu::listed() const
 const NodeType* AddMenu::draw(FrameContext& frame)
 {
     const Theme& theme = frame.theme;
+    // Anew in every frame: the types of groups are others after every edit.
+    if (opening_ || shown_) find_offered(frame.draft, frame.readings.saved_groups);
     if (opening_) {
         ImGui::OpenPopup(popup_name);
-        find_offered(frame.draft);
         query_.clear();
         std::vector<std::string> names = categories();
         category_ = names.empty() ? "" : names.front();

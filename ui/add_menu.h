@@ -31,7 +31,7 @@ public:
 
 private:
     const graph::NodeType* draw_inside(FrameContext& frame);
-    void find_offered(const Draft& draft);
+    void find_offered(const Draft& draft, const std::vector<SavedGroup>& saved);
     std::vector<const graph::NodeType*> listed() const;
     std::vector<std::string> categories() const;
     bool search_field(FrameContext& frame);

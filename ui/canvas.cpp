@@ -3,6 +3,9 @@
 
 #include "ui/canvas_edits.h"
 
+#include "graph/custom_nodes.h"
+#include "graph/own_type_edits.h"
+
 #include <imgui_internal.h>
 
 namespace fieldwright::ui {
@@ -47,6 +50,7 @@ void Canvas::draw(FrameContext& frame)
     mark(frame, layout);
     rename_field(frame, layout);
     if (layout.nodes().empty()) empty_state(frame);
+    breadcrumbs(frame);
     node_menu(frame);
     wire_menu(frame);
     if (const graph::NodeType* picked = add_menu_.draw(frame)) add_and_show(frame, *picked, add_menu_.place());
@@ -76,6 +80,19 @@ NodeId Canvas::add(FrameContext& frame, std::string_view type_name)
     if (!type) return {};
     add_menu_.remember(type->name);
     return add_and_show(frame, *type, {.position = cursor_on_canvas()});
+}
+
+NodeId Canvas::add_custom(FrameContext& frame, std::string_view template_name)
+{
+    Draft& draft = frame.draft;
+    graph::Placed placed = graph::add_custom_node(draft.document, draft.library, template_name, cursor_on_canvas(),
+                                                  frame.view.selection.nodes());
+    if (!draft.done("Add a custom node", placed.refusal)) return {};
+    const graph::OwnType& type = *graph::find_own_type(draft.document, draft.document.root.find(placed.node)->type);
+    frame.requests.push_back(TrustCode{type.text, type.name});
+    frame.view.selection.only(placed.node);
+    show(placed.node);
+    return placed.node;
 }
 
 void Canvas::place(const FrameContext& frame)
@@ -132,6 +149,8 @@ void Canvas::follow_hand(FrameContext& frame)
 void Canvas::serve(FrameContext& frame, const CanvasLayout& layout)
 {
     Wanted wanted = std::exchange(wanted_, {});
+    // The group is shown from the next frame on.
+    if (wanted.opens_group) wanted_.frame_opening = true;
     std::optional<Box> box;
     if (wanted.frame_selected) box = layout.bounds(frame.view.selection.nodes());
     if (!box && (wanted.frame_all || wanted.frame_selected)) box = layout.bounds();
@@ -164,6 +183,7 @@ void Canvas::grant(FrameContext& frame, const CanvasWish& wish)
     if (!hands_.resting()) glide_.stop();
     if (wish.add) add_menu_.open(mouse_px(), *wish.add);
     if (wish.rename) begin_rename(wish.rename);
+    if (wish.enter) enter(frame, wish.enter);
     if (!wish.menu) return;
     menu_for_ = *wish.menu;
     ImGui::OpenPopup(menu_for_.kind == Hover::Kind::wire ? "wire_menu" : "node_menu");
@@ -188,7 +208,10 @@ void Canvas::minimap(FrameContext& frame, const CanvasLayout& layout, bool over)
     if (pressed) hands_.recentre();
     if (!hands_.doing<Recentring>()) return;
     glide_.stop();
-    glm::vec2 wanted = minimap_.canvas(mouse_px());
+    // Beyond the nodes the map would grow with every frame, and the view run away.
+    std::optional<Box> nodes = layout.bounds();
+    if (!nodes) return;
+    glm::vec2 wanted = glm::clamp(minimap_.canvas(mouse_px()), nodes->low, nodes->high);
     frame.view.canvas.pan_px = 0.5f * space_.size_px - space_.scale * wanted;
 }
 

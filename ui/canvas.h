@@ -39,14 +39,19 @@ public:
     void show(graph::NodeId node) { wanted_.shown = node; }   // brings a node into view, keeping the zoom
     void begin_rename(graph::NodeId node);
     void select_all(FrameContext& frame);
+    // The canvas shows the inside of a group node, or what is around the group that is open, from the next frame on.
+    void enter(FrameContext& frame, graph::NodeId group_node);
+    void leave(FrameContext& frame, std::size_t groups_left_open);
 
     // Adds a node as the add menu does: a shape is united with what is shown, an operator goes after the active node,
     // anything else is placed at the cursor. It becomes the selection. NodeId{} when refused.
     graph::NodeId add(FrameContext& frame, std::string_view type);
+    // The same with a new own type, which begins as a template of graph/custom_nodes.h.
+    graph::NodeId add_custom(FrameContext& frame, std::string_view template_name);
 
 private:
     struct Wanted {
-        bool add_menu = false, frame_all = false, frame_opening = false, frame_selected = false;
+        bool add_menu = false, frame_all = false, frame_opening = false, frame_selected = false, opens_group = false;
         graph::NodeId shown;
     };
     struct Rename {
@@ -78,6 +83,8 @@ private:
     void empty_state(FrameContext& frame);
     void node_menu(FrameContext& frame);
     void wire_menu(FrameContext& frame);
+    void group_entries(FrameContext& frame, const graph::Node& node);
+    void breadcrumbs(FrameContext& frame);
 
     CanvasHands hands_;
     CanvasGlide glide_;

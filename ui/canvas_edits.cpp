@@ -6,6 +6,8 @@
 #include "ui/lamp_place.h"
 #include "ui/node_words.h"
 
+#include "graph/group_edits.h"
+
 namespace fieldwright::ui {
 
 using graph::NodeId;
@@ -15,6 +17,14 @@ namespace {
 std::string counted(const char* verb, std::size_t count, const std::string& one)
 {
     return verb + (" " + (count == 1 ? one : std::to_string(count) + " " + one + "s"));
+}
+
+// Of the user's library; null when the type is none of it.
+const SavedGroup* saved_group(const Readings& readings, const graph::NodeType& type)
+{
+    for (const SavedGroup& saved : readings.saved_groups)
+        if (&saved.type == &type) return &saved;
+    return nullptr;
 }
 
 }  // namespace
@@ -96,7 +106,9 @@ NodeId add_at(FrameContext& frame, const graph::NodeType& type, const AddPlace& 
         if (!placed.refusal)
             placed.refusal =
                 graph::insert_on_wire(trial, library, placed.node, place.on_wire->node, place.on_wire->socket);
-    } else placed = graph::add_from_menu(trial, library, type.name, place.position, frame.view.selection.nodes());
+    } else if (const SavedGroup* saved = saved_group(frame.readings, type))
+        placed = graph::add_saved_group(trial, library, saved->text, place.position, frame.view.selection.nodes());
+    else placed = graph::add_from_menu(trial, library, type.name, place.position, frame.view.selection.nodes());
     if (!frame.draft.done("Add " + graph::inside_a_sentence(type.title), placed.refusal)) return {};
     place_lamp(frame, trial, placed.node);
     frame.draft.document = std::move(trial);

@@ -1,6 +1,8 @@
 // Gestures from press to release.
 #include "ui/canvas_hands.h"
 
+#include "graph/groups.h"
+
 #include "ui/canvas_edits.h"
 #include "ui/keys.h"
 
@@ -49,6 +51,13 @@ bool is_own_end(const Hover& hover, const graph::LooseEnd& end)
            (hover.kind == Hover::Kind::output ? end.socket.empty() : hover.socket == end.socket);
 }
 
+// Under a double click.
+bool opens_group(const FrameContext& frame, const Hover& hover)
+{
+    const graph::Node* node = hover.is_node() ? frame.draft.document.root.find(hover.node) : nullptr;
+    return node && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && graph::group_of(frame.draft.document, *node);
+}
+
 }  // namespace
 
 glm::vec2 CanvasHands::drag() const
@@ -93,6 +102,7 @@ void CanvasHands::press_left(FrameContext& frame, const CanvasSight& sight, Canv
 {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl && io.KeyAlt) gesture_ = LassoSelecting{{sight.mouse()}, frame.view.selection.nodes()};
+    else if (opens_group(frame, sight.hover)) wish.enter = sight.hover.node;
     else if (sight.hover.kind == Hover::Kind::header && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         wish.rename = sight.hover.node;
     else if (sight.hover.is_pin() && io.KeyAlt) break_wires(frame, sight.hover);

@@ -75,6 +75,7 @@ struct CanvasWish {
     std::optional<AddPlace> add;
     std::optional<Hover> menu;  // a right click on a node or wire
     graph::NodeId rename;
+    graph::NodeId enter;  // a group
 };
 
 // What the hand sees in this frame.

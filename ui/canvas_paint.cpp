@@ -4,6 +4,8 @@
 #include "ui/canvas_edits.h"
 #include "ui/node_words.h"
 
+#include "graph/groups.h"
+
 #include <imgui.h>
 
 namespace fieldwright::ui {
@@ -85,6 +87,8 @@ void Canvas::paint_nodes(CanvasPainter& painter, const FrameContext& frame, cons
 {
     std::map<NodeId, const graph::Problem*> problems = problems_by_node(frame.readings.problems);
     std::set<NodeId> selected = frame.view.selection.as_set();
+    const graph::Group* open = graph::find_group(frame.draft.document, frame.draft.document.entered);
+    NodeId output = open ? open->output : NodeId{};
     for (const CanvasNode& node : layout.nodes()) {
         if (!painter.visible(node.box)) continue;
         NodeId id = node.node->id;
@@ -94,6 +98,7 @@ void Canvas::paint_nodes(CanvasPainter& painter, const FrameContext& frame, cons
                             .problem = problem == problems.end() ? nullptr : problem->second,
                             .renamed = rename_.node == id});
         paint_pins(painter, node, hover);
+        if (id == output) painter.caption(node.box, "Gives the group's result");
     }
 }
 

@@ -290,6 +290,14 @@ void CanvasPainter::pin(glm::vec2 at, SocketKind kind, bool wired, PinLook look)
     list_.PathStroke(edge, ImDrawFlags_Closed, std::max(px(1.5f), theme_.px(1)));
 }
 
+void CanvasPainter::caption(const Box& node, std::string_view words)
+{
+    if (detail_ != Detail::full) return;
+    Box box = space_.screen(node);
+    float size = px(12);
+    text({box.low.x, box.high.y + px(4)}, size, colour::quiet_text, words, 2 * px(node_width));
+}
+
 void CanvasPainter::selection_box(const Box& box)
 {
     Box box_px = space_.screen(box);

@@ -41,6 +41,7 @@ public:
     void node(const CanvasNode& node, const NodeLook& look);
     // `alpha`: below 1 for nodes that a wire in the hand cannot go to.
     void pin(glm::vec2 at, graph::SocketKind kind, bool wired, PinLook look);
+    void caption(const Box& node, std::string_view words);  // below a node
     void selection_box(const Box& box);
     void lasso(const std::vector<glm::vec2>& points);
     void cut_stroke(const std::vector<glm::vec2>& points);

@@ -2,7 +2,7 @@
 #include "ui/canvas.h"
 
 #include "ui/canvas_edits.h"
-#include "ui/commands.h"
+#include "ui/context_menu.h"
 #include "ui/keys.h"
 #include "ui/node_words.h"
 
@@ -21,33 +21,6 @@ namespace {
 
 constexpr std::size_t name_limit = 256;        // bytes
 constexpr glm::vec2 duplicate_offset{30, 30};  // canvas px
-
-// A popup with rows of 24 px, while it lives.
-struct ContextMenu {
-    ContextMenu(const char* name, const Theme& theme)
-    {
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.padding(), theme.row() - ImGui::GetFontSize()});
-        open = ImGui::BeginPopup(name);
-    }
-    ~ContextMenu()
-    {
-        if (open) ImGui::EndPopup();
-        ImGui::PopStyleVar();
-    }
-    ContextMenu(const ContextMenu&) = delete;
-    ContextMenu& operator=(const ContextMenu&) = delete;
-    bool open;
-};
-
-// An entry of a context menu, with the shortcut of the command of that name.
-bool menu_item(FrameContext& frame, const char* name, const char* title, const char* command)
-{
-    const Command* found = find_command(command);
-    std::string shortcut = found && !found->shortcuts.empty() ? shortcut_text(found->shortcuts.front()) : "";
-    bool chosen = ImGui::MenuItem(title, shortcut.c_str());
-    frame.rects.mark(std::string("canvas/menu/") + name);
-    return chosen;
-}
 
 void remove_selected(FrameContext& frame)
 {
@@ -120,6 +93,7 @@ void Canvas::node_menu(FrameContext& frame)
     const char* mute = all_muted ? "Unmute" : "Mute";
     if (menu_item(frame, "mute", mute, "edit.mute")) frame.draft.done(mute, graph::toggle_muted(document, chosen));
     if (menu_item(frame, "duplicate", "Duplicate", "edit.duplicate")) duplicate_selected(frame);
+    if (const graph::Node* node = document.root.find(menu_for_.node)) group_entries(frame, *node);
     ImGui::Separator();
     if (menu_item(frame, "frame", "Frame selected", "view.frame_selected_nodes")) frame_selected();
     ImGui::Separator();

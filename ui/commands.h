@@ -67,6 +67,7 @@ const Command* pressed_command(std::span<const Command> list, Scope over);
 // The parts of the list, one a menu.
 void append_file_commands(std::vector<Command>& list, const Readings& readings);
 void append_edit_commands(std::vector<Command>& list, const Readings& readings);
+void append_group_commands(std::vector<Command>& list);
 void append_add_commands(std::vector<Command>& list, const graph::Library& library);
 void append_view_commands(std::vector<Command>& list, const Readings& readings);
 void append_render_commands(std::vector<Command>& list);

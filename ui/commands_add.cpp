@@ -3,6 +3,7 @@
 #include "ui/commands.h"
 #include "ui/keys.h"
 
+#include "graph/custom_nodes.h"
 #include "graph/words.h"
 
 namespace fieldwright::ui {
@@ -13,8 +14,7 @@ void append_add_commands(std::vector<Command>& list, const graph::Library& libra
                     .menu = "Add",
                     .help = "Opens the list of node types, to be searched by name.",
                     .icon = icon::add,
-                    .shortcuts = {{.key = key::tab, .scope = Scope::canvas},
-                                  {.key = 'A', .shift = true, .scope = Scope::canvas},
+                    .shortcuts = {{.key = 'A', .shift = true, .scope = Scope::canvas},
                                   {.key = key::space, .scope = Scope::canvas},
                                   {.key = key::tab, .scope = Scope::viewport},
                                   {.key = 'A', .shift = true, .scope = Scope::viewport}},
@@ -22,6 +22,17 @@ void append_add_commands(std::vector<Command>& list, const graph::Library& libra
                         context.frame.view.panes.shown = true;
                         context.canvas.open_add_menu();
                     }});
+    for (const graph::CustomTemplate& custom : graph::custom_templates())
+        list.push_back({.id = "add.custom/" + std::string(custom.name),
+                        .title = "Add " + graph::inside_a_sentence(std::string(custom.title)),
+                        .menu = "Add/Custom",
+                        .help = std::string(custom.help),
+                        .icon = icon::code,
+                        .separator = &custom == &graph::custom_templates().front(),
+                        .run = [name = custom.name](CommandContext& context) {
+                            context.frame.view.panes.shown = true;
+                            context.canvas.add_custom(context.frame, name);
+                        }});
     std::string category;
     for (const graph::NodeType* type : library.types()) {
         list.push_back(

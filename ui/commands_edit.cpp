@@ -1,5 +1,6 @@
 // Commands of the Edit menu.
 #include "graph/compose.h"
+#include "graph/custom_nodes.h"
 #include "graph/fragment.h"
 #include "graph/layout.h"
 #include "ui/canvas.h"
@@ -170,6 +171,19 @@ void append_removal(std::vector<Command>& list)
                         draft.done("Dissolve",
                                    graph::dissolve(draft.document, draft.library, selection(context).as_set()));
                     }});
+    list.push_back({.id = "edit.remove_unused_types",
+                    .title = "Remove unused code",
+                    .menu = "Edit",
+                    .help = "Removes the scene's own node types that no node has.",
+                    .enabled =
+                        [](const CommandContext& context) {
+                            return !graph::unused_own_types(context.frame.draft.document).empty();
+                        },
+                    .run =
+                        [](CommandContext& context) {
+                            Draft& draft = context.frame.draft;
+                            draft.done("Remove unused code", graph::remove_unused_own_types(draft.document));
+                        }});
 }
 
 void append_node(std::vector<Command>& list)
@@ -265,6 +279,7 @@ void append_edit_commands(std::vector<Command>& list, const Readings& readings)
     append_clipboard(list);
     append_removal(list);
     append_node(list);
+    append_group_commands(list);
     append_selection(list);
 }
 

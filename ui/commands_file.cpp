@@ -1,5 +1,6 @@
 // Commands of the File menu.
 #include "ui/commands.h"
+#include "ui/dialogs.h"
 #include "ui/keys.h"
 
 #include "graph/words.h"
@@ -129,6 +130,13 @@ void append_file_commands(std::vector<Command>& list, const Readings& readings)
     append_examples(list, readings);
     append_save(list);
     append_export(list, readings);
+    list.push_back(
+        {.id = "file.allow_code",
+         .title = "Run the scene's code…",
+         .menu = "File",
+         .help = "Asks whether the shader code that came with the scene may run.",
+         .enabled = [](const CommandContext& context) { return !context.frame.readings.foreign_code.empty(); },
+         .run = [](CommandContext& context) { context.dialogs.ask_about_code(); }});
     list.push_back({.id = "file.quit",
                     .title = "Quit",
                     .menu = "File",

@@ -2,6 +2,7 @@
 #include "ui/dialogs.h"
 
 #include "ui/dialog_frame.h"
+#include "ui/glsl_highlight.h"
 #include "ui/widgets.h"
 
 #include <imgui.h>
@@ -27,6 +28,23 @@ void wrapped_quiet(const std::string& text)
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
+}
+
+// The texts, in colours.
+void code_listing(FrameContext& frame)
+{
+    ImGui::PushFont(frame.theme.fonts.mono);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, colour::window);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {frame.theme.padding(), frame.theme.padding()});
+    ImGui::BeginChild("listing", {0, frame.theme.px(320)}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::PopStyleVar();
+    frame.rects.mark("dialog/code");
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    for (const ForeignCode& code : frame.readings.foreign_code) glsl_text(code.text);
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
 }
 
 bool asks_before_saving(const Readings& readings)
@@ -85,6 +103,7 @@ void Dialogs::draw(FrameContext& frame)
     draw_overwrite(frame);
     draw_unsaved(frame);
     draw_recovery(frame);
+    draw_foreign_code(frame);
     draw_about(frame);
 }
 
@@ -173,6 +192,38 @@ void Dialogs::draw_recovered(FrameContext& frame, const Recovered& recovered)
         else frame.requests.push_back(Recover{recovered.id});
     }
     ImGui::PopID();
+}
+
+// Other code is another question.
+void Dialogs::draw_foreign_code(FrameContext& frame)
+{
+    const Readings& readings = frame.readings;
+    if (!readings.foreign_code.empty() && code_asked_ != readings.foreign_code) {
+        code_asked_ = readings.foreign_code;
+        code_put_off_ = code_shown_ = false;
+    }
+    bool recovering = !readings.recovered.empty() && !recovery_put_off_;
+    bool wanted = !readings.foreign_code.empty() && !code_put_off_ && !asking() && !recovering;
+    if (!begin_dialog("foreign_code", wanted, frame.theme, code_shown_ ? 720.0f : 480.0f)) return;
+    std::size_t count = readings.foreign_code.size();
+    heading(frame.theme, "Run the code of this scene?");
+    wrapped_quiet("This scene brings its own shader code (" + std::to_string(count) +
+                  (count == 1 ? " node type" : " node types") +
+                  "). It runs on your graphics card, which bad code can slow down or stop. Until you run it, its nodes "
+                  "count as unconnected.");
+    if (code_shown_) code_listing(frame);
+    ImGui::Dummy({0, frame.theme.gap()});
+    int choice = button_row(frame, {{code_shown_ ? "Hide code" : "Show code", "dialog/show_code"},
+                                    {"Not now", "dialog/not_now"},
+                                    {"Run it", "dialog/run_code", true}});
+    if (choice == 0) code_shown_ = !code_shown_;
+    if (choice == 1 || cancelled_by_key()) code_put_off_ = true;
+    if (choice == 2) {
+        frame.requests.push_back(AllowSceneCode{});
+        code_put_off_ = true;  // until there is other code
+    }
+    if (code_put_off_) ImGui::CloseCurrentPopup();
+    end_dialog();
 }
 
 void Dialogs::draw_about(FrameContext& frame)

@@ -10,6 +10,7 @@ namespace fieldwright::ui {
 class Dialogs {
 public:
     void show_about() { about_ = true; }
+    void ask_about_code() { code_put_off_ = false; }  // that the scene brought with it
     // Takes requests that would lose something out of the list and asks about them first. Call each frame;
     // `choosing_file`: the file browser is up.
     void hold_back(std::vector<Request>& requests, const Readings& readings, bool choosing_file);
@@ -24,6 +25,7 @@ private:
     void draw_overwrite(FrameContext& frame);
     void draw_recovery(FrameContext& frame);
     void draw_recovered(FrameContext& frame, const Recovered& recovered);
+    void draw_foreign_code(FrameContext& frame);
     void draw_about(FrameContext& frame);
     void save(FrameContext& frame);
 
@@ -32,6 +34,8 @@ private:
     int frames_since_saving_ = 0;          // with no file dialog up
     bool overwriting_ = false;
     bool recovery_put_off_ = false;
+    bool code_put_off_ = false, code_shown_ = false;
+    std::vector<ForeignCode> code_asked_;  // about this
     bool about_ = false;
 };
 

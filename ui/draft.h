@@ -12,7 +12,8 @@ struct Draft {
     graph::Document& document;
     const graph::Library& library;
     std::string step;     // name of the step that was made in this frame ("Change radius"); empty = nothing changed
-    std::string refusal;  // why an edit was refused in this frame; shown in the status line
+    bool step_ends = false;  // with this frame, though the hands go on
+    std::string refusal;     // why an edit was refused in this frame; shown in the status line
 
     // Notes the outcome of an edit; true when it was done.
     bool done(std::string_view step_name, const graph::Refusal& refused)

@@ -1,7 +1,11 @@
 // Layout of the window and the life of a gesture.
 #include "ui/editor.h"
 
+#include "ui/group_actions.h"
 #include "ui/keys.h"
+
+#include "graph/group_edits.h"
+#include "graph/group_types.h"
 
 #include <imgui_internal.h>
 
@@ -65,8 +69,28 @@ void close_by_escape(int open_before, bool was_typing)
 Editor::Output Editor::draw(graph::Document& document, const graph::Library& library, const Readings& readings,
                             const Theme& theme)
 {
+    follow_selection(document);
     Output output;
-    Draft draft{document, library, {}, {}};
+    {
+        graph::Entered entered(document, shown_group(document, view));
+        output = draw_shown(document, library, readings, theme);
+    }
+    // What was done inside a group may show outside.
+    if (output.document_changed && !document.groups.empty()) graph::settle_groups(document, library);
+    return output;
+}
+
+// A light or camera of the scene, chosen in its panel while a group is open: the scene is shown.
+void Editor::follow_selection(const graph::Document& document)
+{
+    if (!view.way.empty() && document.root.find(view.selection.active())) close_groups(view);
+}
+
+Editor::Output Editor::draw_shown(graph::Document& document, const graph::Library& library, const Readings& readings,
+                                  const Theme& theme)
+{
+    Output output;
+    Draft draft{.document = document, .library = library};
     rects.begin_frame();
     view.selection.keep_existing(document.root);
     view.hint.clear();
@@ -80,22 +104,30 @@ Editor::Output Editor::draw(graph::Document& document, const graph::Library& lib
     run_commands(context);
     if (auto node = std::exchange(view.frame_request, {})) canvas_.show(node);
     if (std::exchange(view.add_request, false)) run_command("add.menu", context);
-    draw_panes(frame);
-    draw_dialogs(context);
+    // A command may have made a group.
+    std::shared_ptr<const graph::Library> fresh;
+    if (!draft.step.empty() && !document.groups.empty()) fresh = graph::library_of(document, library);
+    Draft rest{document, fresh ? *fresh : library, draft.step, draft.step_ends, draft.refusal};
+    FrameContext after{rest, view, readings, output.requests, theme, rects, frame.text_expected};
+    CommandContext commands_after{after, canvas_, viewport_, palette_, sheet_, dialogs_};
+    draw_panes(after);
+    draw_dialogs(commands_after);
     close_by_escape(popups, was_typing);
     double now_s = ImGui::GetTime();
-    if (!draft.refusal.empty()) status_line_.refuse(draft.refusal, now_s);
-    status_line_.draw(frame, now_s);
+    if (!rest.refusal.empty()) status_line_.refuse(rest.refusal, now_s);
+    status_line_.draw(after, now_s);
     ImGui::End();
 
-    output.text_expected = frame.text_expected;
+    draft.step = rest.step;
+    draft.step_ends = rest.step_ends;
+    output.text_expected = after.text_expected;
     output.document_changed = !draft.step.empty();
     if (output.document_changed) pending_step_ = draft.step;
     output.hands_moving = !hands_free();
     // From a text field straight to another widget: the first gesture has ended though hands go on moving.
     ImGuiID before = std::exchange(active_item_, ImGui::GetActiveID());
     bool handed_over = before && before != active_item_ && draft.step.empty();
-    if (!output.hands_moving || handed_over) output.settled_step = std::exchange(pending_step_, {});
+    if (!output.hands_moving || handed_over || draft.step_ends) output.settled_step = std::exchange(pending_step_, {});
     if (auto at_s = status_line_.changes_at_s()) output.redraw_in_s = std::max(*at_s - now_s, 0.0);
     return output;
 }

@@ -48,6 +48,9 @@ public:
     Viewport& viewport() { return viewport_; }
 
 private:
+    Output draw_shown(graph::Document& document, const graph::Library& library, const Readings& readings,
+                      const Theme& theme);
+    void follow_selection(const graph::Document& document);
     void run_commands(CommandContext& context);
     void run_command(std::string_view id, CommandContext& context);
     void run_pressed_shortcut(CommandContext& context);

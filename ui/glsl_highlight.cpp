@@ -1,6 +1,8 @@
 // A tokenizer for colours: it need not understand GLSL, only tell its words apart.
 #include "ui/glsl_highlight.h"
 
+#include "ui/theme.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -113,6 +115,37 @@ std::vector<GlslToken> glsl_tokens(std::string_view line, bool& in_comment)
         else tokens.push_back(token);
     }
     return tokens;
+}
+
+ImU32 glsl_colour(GlslKind kind)
+{
+    switch (kind) {
+        case GlslKind::keyword: return colour::rgb(0xd08fb4);
+        case GlslKind::type: return colour::rgb(0x7fc1c7);
+        case GlslKind::number: return colour::rgb(0xd9b27c);
+        case GlslKind::comment: return colour::rgb(0x7d8896);
+        case GlslKind::preprocessor: return colour::rgb(0xb79fe0);
+        case GlslKind::function: return colour::rgb(0xa9c587);
+        case GlslKind::plain: break;
+    }
+    return colour::rgb(0xc5ccd6);
+}
+
+void glsl_text(std::string_view text)
+{
+    bool in_comment = false;
+    float letter_px = ImGui::GetFont()->GetCharAdvance('0');
+    for (std::size_t first = 0; first < text.size();) {
+        std::size_t last = std::min(text.find('\n', first), text.size());
+        std::string_view line = text.substr(first, last - first);
+        ImVec2 low = ImGui::GetCursorScreenPos();
+        for (const GlslToken& token : glsl_tokens(line, in_comment))
+            ImGui::GetWindowDrawList()->AddText({low.x + letter_px * static_cast<float>(token.first), low.y},
+                                                glsl_colour(token.kind), line.data() + token.first,
+                                                line.data() + token.last);
+        ImGui::Dummy({letter_px * static_cast<float>(line.size() + 1), ImGui::GetFontSize()});
+        first = last + 1;
+    }
 }
 
 }  // namespace fieldwright::ui

@@ -1,6 +1,8 @@
 // The tabs, and the panel that the chosen one shows.
 #include "ui/panels.h"
 
+#include "graph/groups.h"
+
 #include "ui/panel_pages.h"
 #include "ui/widgets.h"
 
@@ -120,6 +122,9 @@ void Panels::page(FrameContext& frame)
     lights_.mutes = true;
     cameras_.output_socket = "camera";
     skies_.output_socket = "sky";
+    // They are parts of the scene, whatever group is open.
+    std::optional<graph::AtRest> scene;
+    if (frame.view.panel == Panel::lights || frame.view.panel == Panel::camera) scene.emplace(frame.draft.document);
     switch (frame.view.panel) {
         case Panel::materials: return draw_materials_panel(frame, materials_);
         case Panel::lights: return draw_lights_panel(frame, lights_);

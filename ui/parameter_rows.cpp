@@ -7,6 +7,7 @@
 #include "ui/commands.h"
 #include "ui/curve_field.h"
 #include "ui/drawing_field.h"
+#include "ui/group_interface.h"
 #include "ui/node_words.h"
 #include "ui/number_field.h"
 #include "ui/number_text.h"
@@ -338,7 +339,14 @@ void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id,
     if (!node) return;
     Row row{frame, std::string(path) + "/" + parameter.name, *node, parameter, label_of(frame, parameter)};
     ImGui::PushID(parameter.name.c_str());
-    row.width_px = begin_row(frame, row.title, parameter_tip(parameter));
+    ImVec2 low = ImGui::GetCursorScreenPos();
+    const graph::Exposed* exposed = exposed_as(frame.draft, id, parameter.name);
+    std::string tip = parameter_tip(parameter);
+    if (exposed) {
+        row.title = std::string(icon::link) + " " + row.title;
+        tip += "\nExposed as “" + exposed->name + "”: this value is that of new nodes of the group.";
+    }
+    row.width_px = begin_row(frame, row.title, tip);
     if (graph::NodeId source = node->input(parameter.name)) {
         source_field(frame, row.path, *node, parameter.name, source, row.width_px);
     } else if (parameter.kind == ParameterKind::formula) {
@@ -348,6 +356,7 @@ void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id,
         reset_button(row);
         if (parameter.kind == ParameterKind::list) points_below(row);
     }
+    expose_menu(frame, row.path, id, parameter.name, low);
     ImGui::PopID();
 }
 
@@ -378,6 +387,7 @@ void input_rows(FrameContext& frame, std::string_view path, graph::NodeId id)
     for (const graph::Socket& socket : type->inputs) {
         if (type->parameter(socket.name)) continue;
         ImGui::PushID(socket.name.c_str());
+        ImVec2 low = ImGui::GetCursorScreenPos();
         float width = begin_row(frame, socket_label(type, socket.name), socket_hint(type, socket.name));
         std::string name = std::string(path) + "/input/" + socket.name;
         if (graph::NodeId source = node->input(socket.name)) {
@@ -386,6 +396,7 @@ void input_rows(FrameContext& frame, std::string_view path, graph::NodeId id)
             line_text(frame, "nothing wired", colour::quiet_text, width);
             frame.rects.mark(name);
         }
+        expose_menu(frame, name, id, socket.name, low);
         ImGui::PopID();
         node = frame.draft.document.root.find(id);
     }

@@ -1,6 +1,8 @@
 // Walking from the output down to a node.
 #include "ui/placement.h"
 
+#include "graph/expansion.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -101,7 +103,12 @@ private:
 
 std::optional<Placement> placement(const graph::Document& document, const graph::Library& library, graph::NodeId node)
 {
-    return Search(document, library, node).run();
+    if (document.groups.empty()) return Search(document, library, node).run();
+    graph::Document scene = document;
+    graph::leave_group(scene);
+    graph::Expansion expansion = graph::expanded(scene, library);
+    auto stand_in = expansion.stand_ins.find(node);
+    return Search(expansion.document, library, stand_in == expansion.stand_ins.end() ? node : stand_in->second).run();
 }
 
 Measured placed(const Placement& place, const Measured& box)

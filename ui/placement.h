@@ -19,7 +19,8 @@ struct Placement {
 inline constexpr float unbounded = 1e6f;  // m; a half size of it has no end
 
 // Along a way to the output on which every node moves, turns or scales by a stored value, or leaves space as it is;
-// nothing when there is no such way. Of several, as for a shared node, the one by the first inputs.
+// nothing when there is no such way. Of several, as for a shared node, the one by the first inputs. Of a node
+// in groups, that of its first copy.
 std::optional<Placement> placement(const graph::Document& document, const graph::Library& library, graph::NodeId node);
 
 // The box in the world around what a box in a node's space holds.

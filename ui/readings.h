@@ -60,6 +60,16 @@ struct Recovered {  // an autosave that a crash left behind
     std::string id, title, when;
 };
 
+struct ForeignCode {  // of an own type that nobody here wrote
+    std::string type, text;
+    bool operator==(const ForeignCode&) const = default;
+};
+
+struct SavedGroup {        // of the user's library
+    graph::NodeType type;  // what it will be here
+    std::string text;      // holds the group
+};
+
 struct Readings {
     // Lowered from the document of this frame.
     std::shared_ptr<const graph::Program> program;
@@ -89,6 +99,8 @@ struct Readings {
     std::string overwrite_warning;  // why else to ask before saving to that file
     std::vector<RecentFile> recent;
     std::vector<Recovered> recovered;
+    std::vector<ForeignCode> foreign_code;  // waits to be allowed
+    std::vector<SavedGroup> saved_groups;
     std::vector<Example> examples;  // the best to begin with first
     bool dialog_open = false;       // a native file dialog is up; the window waits for nothing
 

@@ -37,6 +37,9 @@ struct UsePicture {
     std::string path;
     graph::NodeId node;
 };
+struct SaveGroup {  // to the user's library; `text` holds the group
+    std::string name, text;
+};
 struct ForgetRecent {};
 struct Undo {};
 struct Redo {};
@@ -49,9 +52,18 @@ struct Recover {
 struct DiscardRecovered {
     std::string id;
 };
+// The text was written here: an own type that has it may run.
+struct TrustCode {
+    std::string text, type;
+};
+struct AllowSceneCode {};  // what the scene brought with it may run, too
+struct SaveOwnNode {       // into the user's folder of nodes
+    std::string type;
+};
 struct Quit {};
 
 using Request = std::variant<NewScene, OpenFile, OpenExample, SaveFile, SaveFileAs, ExportFile, ExportPicture,
-                             UsePicture, ChooseFile, ForgetRecent, Undo, Redo, JumpTo, Recover, DiscardRecovered, Quit>;
+                             UsePicture, ChooseFile, SaveGroup, ForgetRecent, Undo, Redo, JumpTo, Recover,
+                             DiscardRecovered, TrustCode, AllowSceneCode, SaveOwnNode, Quit>;
 
 }  // namespace fieldwright::ui

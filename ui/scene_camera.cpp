@@ -1,6 +1,8 @@
 // Reading a camera node.
 #include "ui/scene_camera.h"
 
+#include "graph/groups.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +27,7 @@ const graph::Node* camera_node(const graph::Graph& graph)
 
 std::optional<SceneCamera> scene_camera(const graph::Document& document)
 {
-    const graph::Node* node = camera_node(document.root);
+    const graph::Node* node = camera_node(graph::scene_graph(document));
     if (!node || node->muted) return std::nullopt;
     const auto *position = stored<glm::vec3>(*node, "position"), *target = stored<glm::vec3>(*node, "target");
     const auto *angle_deg = stored<float>(*node, "field_of_view"), *height = stored<float>(*node, "height");

@@ -13,20 +13,6 @@ namespace {
 
 constexpr std::uint32_t continuation_columns = 2;  // a broken line goes on indented by this
 
-ImU32 tint_of(GlslKind kind)
-{
-    switch (kind) {
-        case GlslKind::keyword: return colour::rgb(0xd08fb4);
-        case GlslKind::type: return colour::rgb(0x7fc1c7);
-        case GlslKind::number: return colour::rgb(0xd9b27c);
-        case GlslKind::comment: return colour::rgb(0x7d8896);
-        case GlslKind::preprocessor: return colour::rgb(0xb79fe0);
-        case GlslKind::function: return colour::rgb(0xa9c587);
-        case GlslKind::plain: break;
-    }
-    return colour::rgb(0xc5ccd6);
-}
-
 // At most `room` bytes, behind a blank where one is near.
 std::uint32_t end_of_row(std::string_view text, std::uint32_t first, std::uint32_t last, std::uint32_t room)
 {
@@ -149,7 +135,7 @@ void ShaderPanel::draw_row(FrameContext& frame, const Row& row, float gutter_px,
         auto last = std::min(line.first + static_cast<std::uint32_t>(token.last), row.last);
         if (first >= last) continue;
         float x = low.x + gutter_px + column_px * (static_cast<float>(first - row.first) + indent);
-        draw.AddText({x, low.y}, tint_of(token.kind), base + first, base + last);
+        draw.AddText({x, low.y}, glsl_colour(token.kind), base + first, base + last);
     }
 }
 

@@ -13,8 +13,8 @@
 namespace fieldwright::ui {
 namespace {
 
-constexpr ImWchar letters[] = {0x20,   0x17f,  0x2010, 0x2027, 0x2030, 0x203a, 0x20ac, 0x20ac, 0x2190, 0x21ff, 0x2200,
-                               0x22ff, 0x25a0, 0x25ff, 0x2713, 0x2717, 0x370,  0x3ff,  0};
+constexpr ImWchar letters[] = {0x20,   0x17f,  0x2010, 0x2027, 0x2030, 0x203a, 0x20ac, 0x20ac, 0x2190, 0x21ff,
+                               0x2200, 0x22ff, 0x25a0, 0x25ff, 0x2713, 0x2717, 0x370,  0x3ff,  0};
 constexpr ImWchar icons[] = {0xf000, 0xf2e0, 0};
 
 ImFont* add_font(std::span<const unsigned char> file, float size_px, const ImWchar* ranges, ImFontConfig config = {})
@@ -129,9 +129,9 @@ ImU32 category_colour(std::string_view category)
         std::string_view category;
         float degrees;
     };
-    constexpr Hue hues[] = {{"primitive", 195}, {"shape2d", 150}, {"convert", 115}, {"combine", 60},
-                            {"domain", 255},    {"modify", 300},  {"material", 5},  {"light", 90},
-                            {"camera", 225},    {"sky", 235},     {"output", 30}};
+    constexpr Hue hues[] = {{"primitive", 195}, {"shape2d", 150}, {"convert", 115},  {"combine", 60}, {"domain", 255},
+                            {"modify", 300},    {"material", 5},  {"light", 90},     {"camera", 225}, {"sky", 235},
+                            {"output", 30},     {"group", 165},   {"my_groups", 165}};
     for (const Hue& hue : hues)
         if (hue.category == category) return oklch(0.46f, 0.075f, hue.degrees);
     return oklch(0.43f, 0.01f, 250);  // values, and what is unknown

@@ -18,6 +18,12 @@ struct CanvasView {
     float zoom = 1;            // 0.1 .. 4
 };
 
+// A group that is open on the canvas.
+struct OpenGroup {
+    graph::NodeId node;  // of the group, in the graph around it
+    CanvasView around;   // how that graph was seen
+};
+
 struct Panes {
     bool shown = true;             // all but the viewport (space bar)
     float side_width = 380;        // design px
@@ -46,6 +52,7 @@ struct ViewState {
 
     Selection selection;
     DrawingView drawing;
+    std::vector<OpenGroup> way;   // the groups that lead to the graph on the canvas, outermost first
     graph::NodeId frame_request;  // the canvas is to bring this node into view; cleared when done
     bool add_request = false;     // the add menu is to open; cleared when done
     std::string hint;             // about what is under the mouse, for the status line; its part writes it every frame

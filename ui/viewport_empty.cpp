@@ -47,6 +47,7 @@ void help(FrameContext& frame, Shown shown)
 
 void draw_nothing_to_see(FrameContext& frame, const WidgetRect& pane)
 {
+    if (!frame.draft.document.entered.empty()) return;  // the picture is that of the scene, the graph is not
     Shown shown = graph::shown_by_output(frame.draft.document, frame.draft.library);
     if (shown == Shown::something) return;
     const Theme& theme = frame.theme;

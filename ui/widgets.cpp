@@ -39,7 +39,8 @@ const char* category_icon(std::string_view category)
         {"primitive", icon::cube}, {"combine", icon::cubes},       {"domain", icon::move},
         {"modify", icon::sliders}, {"material", icon::palette},    {"light", icon::bulb},
         {"camera", icon::camera},  {"sky", icon::cloud},           {"output", icon::image},
-        {"shape2d", icon::pencil}, {"convert", icon::arrow_right}, {"value", icon::number}};
+        {"shape2d", icon::pencil}, {"convert", icon::arrow_right}, {"value", icon::number},
+        {"group", icon::cubes},    {"my_groups", icon::cubes}};
     for (const Entry& entry : entries)
         if (entry.category == category) return entry.icon;
     return icon::code;

@@ -1,4 +1,5 @@
 // Pairs of scenes that mean the same: their pictures are the same.
+#include "graph/group_edits.h"
 #include "graph/history.h"
 #include "graph/scene_file.h"
 #include "tests/support/pictures.h"
@@ -181,6 +182,26 @@ TEST(Metamorphic, muting_is_bypassing)
                         graph::set_muted(s.document, muted, true);
                         return muted;
                     }));
+}
+
+TEST(Metamorphic, grouping_changes_nothing)
+{
+    NodeId top;
+    Scene flat = lit([&](Scene& s) {
+        NodeId pieces = pair(s, "smooth_union", left_ball(s), ring(s));
+        top = pair(s, "union", pieces, block(s));
+        return top;
+    });
+    Scene grouped = flat;
+    std::set<NodeId> inner;
+    for (const graph::Node& node : flat.document.root.nodes)
+        if (flat.type(node.id).is_field() && node.type != "output" && node.id != top) inner.insert(node.id);
+    // The block and what moves it stay outside.
+    for (NodeId id : {flat.document.root.find(top)->input("b"),
+                      flat.document.root.find(flat.document.root.find(top)->input("b"))->input("d")})
+        inner.erase(id);
+    ASSERT_EQ(graph::group_nodes(grouped.document, *grouped.library, inner).refusal, std::nullopt);
+    expect_same(flat, grouped);
 }
 
 TEST(Metamorphic, saving_and_opening_changes_nothing)

@@ -1,7 +1,11 @@
 // Driving the editor through its input queue.
 #include "tests/ui/driver.h"
 
+#include "graph/group_types.h"
 #include "ui/keys.h"
+
+#include "graph/adapt.h"
+#include "graph/own_types.h"
 
 #include <gtest/gtest.h>
 
@@ -53,11 +57,24 @@ Driver::Driver(graph::Document start, glm::vec2 size_px)
     readings.export_targets = {"glsl", "shadertoy"};
     readings.file_name = "test.scene.json";
     steps.emplace_back(document, "start");
+    follow_types();
     refresh_readings();
     frames(2);
 }
 
 Driver::~Driver() { ImGui::DestroyContext(context_); }
+
+// As the program's session does.
+void Driver::follow_types()
+{
+    bool others = document.own_types != library->own_types();
+    if (others) {
+        library = graph::with_own_types(*library, document.own_types);
+        document = graph::adapted(document, *library);
+    }
+    if (others || document.groups != known_groups_) library = graph::with_groups(*library, document);
+    known_groups_ = document.groups;
+}
 
 void Driver::refresh_readings()
 {
@@ -75,6 +92,7 @@ void Driver::perform(const ui::Request& request)
     else if (const auto* jump = std::get_if<ui::JumpTo>(&request); jump && jump->step < steps.size())
         document = steps[step = jump->step].first;
     else requests.push_back(request);
+    follow_types();
     refresh_readings();
 }
 
@@ -87,6 +105,7 @@ void Driver::frame()
     ui::Editor::Output output = editor.draw(document, *library, readings, theme_);
     ImGui::Render();
     if (output.text_expected) queue.wait_for_text();
+    if (output.document_changed) follow_types();
     if (output.document_changed) refresh_readings();
     if (!output.settled_step.empty() && document != steps[step].first) {
         steps.resize(step + 1);

@@ -48,8 +48,10 @@ public:
 
 private:
     void perform(const ui::Request& request);
+    void follow_types();
     void refresh_readings();
 
+    std::vector<graph::Group> known_groups_;
     ImGuiContext* context_;
     ui::Theme theme_;
 };
