@@ -11,7 +11,7 @@ namespace fieldwright::ui {
 struct Draft {
     graph::Document& document;
     const graph::Library& library;
-    std::string step;     // name of the step that was made in this frame ("Change radius"); empty = nothing changed
+    std::string step;        // name of the step that was made in this frame ("Change radius"); empty = nothing changed
     bool step_ends = false;  // with this frame, though the hands go on
     std::string refusal;     // why an edit was refused in this frame; shown in the status line
 

@@ -27,6 +27,7 @@ inline constexpr const char *chevron_right = "\xef\x84\x85", *chevron_down = "\x
                             *move = "\xef\x81\x87";
 inline constexpr const char *gauge = "\xef\x83\xa4", *cloud = "\xef\x83\x82", *reset = "\xef\x80\xa1",
                             *link = "\xef\x83\x81", *unlink = "\xef\x84\xa7", *dot_on = "\xef\x86\x92",
-                            *dot_off = "\xef\x84\x8c", *home = "\xef\x80\x95", *number = "\xef\x8a\x92", *mirror = "\xef\x81\xbe";
+                            *dot_off = "\xef\x84\x8c", *home = "\xef\x80\x95", *number = "\xef\x8a\x92",
+                            *mirror = "\xef\x81\xbe";
 
 }  // namespace fieldwright::ui::icon

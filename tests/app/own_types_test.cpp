@@ -25,8 +25,8 @@ namespace {
 
 std::string ball_text(const std::string& name, const std::string& body = "return length(p) - 0.5f;")
 {
-    return "// Ball: round.\n// field: exact\nfloat " + name + "_distance(vec3 p)\n{\n    " + body + "\n}\n\nBox " + name +
-           "_bounds() { return make_box(vec3(0.0f), vec3(0.5f)); }\n";
+    return "// Ball: round.\n// field: exact\nfloat " + name + "_distance(vec3 p)\n{\n    " + body + "\n}\n\nBox " +
+           name + "_bounds() { return make_box(vec3(0.0f), vec3(0.5f)); }\n";
 }
 
 // A small lit scene with an own node in it.
@@ -133,7 +133,8 @@ TEST_F(CodeReviewTest, the_drivers_words_are_told_at_their_line)
         codegen::print_fragment_shader(program, field::evaluate_frame(program, 0), codegen::Placement::literals);
     std::string before = shader.substr(0, shader.find("return size;"));
     std::string line = std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
-    graph::TextError error = error_in_type("0:" + line + "(12): error: `size' undeclared\nmore", "ball", *library, shader);
+    graph::TextError error =
+        error_in_type("0:" + line + "(12): error: `size' undeclared\nmore", "ball", *library, shader);
     EXPECT_EQ(sentence(error), "line 5: the driver does not take it: `size' undeclared");
 }
 
@@ -209,9 +210,10 @@ TEST_F(OwnTypeSession, what_ran_last_is_shown_while_the_text_is_broken)
 TEST_F(OwnTypeSession, code_that_is_being_tried_changes_nothing_until_it_is_good)
 {
     judgement = graph::TextError{.rule = "its code is being tried", .waiting = true};
-    ASSERT_TRUE(set_text("// Ball: round.\n// field: exact\nfloat ball_distance(\n    vec3 p,\n    float girth)  // 0.25 "
-                         "[0, 1] m  Radius.\n{\n    return length(p) - girth;\n}\nBox ball_bounds(float girth) { return "
-                         "make_box(vec3(0.0f), vec3(girth)); }\n"));
+    ASSERT_TRUE(
+        set_text("// Ball: round.\n// field: exact\nfloat ball_distance(\n    vec3 p,\n    float girth)  // 0.25 "
+                 "[0, 1] m  Radius.\n{\n    return length(p) - girth;\n}\nBox ball_bounds(float girth) { return "
+                 "make_box(vec3(0.0f), vec3(girth)); }\n"));
     EXPECT_FALSE(session.library()->type("ball")->parameter("girth"));
     for (const graph::Problem& problem : lowered().problems)
         EXPECT_EQ(problem.severity, graph::Problem::Severity::note) << problem.sentence;
@@ -227,8 +229,8 @@ TEST_F(OwnTypeSession, code_that_is_being_tried_changes_nothing_until_it_is_good
 TEST_F(OwnTypeSession, a_foreign_scene_is_shown_without_its_code)
 {
     judgement = graph::TextError{.rule = "its code waits"};
-    std::filesystem::path file = std::filesystem::temp_directory_path() /
-                                 ("fieldwright-foreign-" + std::to_string(::getpid()) + ".scene.json");
+    std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("fieldwright-foreign-" + std::to_string(::getpid()) + ".scene.json");
     graph::save_scene(file, document(), *session.library());
     session.open(file);
     std::filesystem::remove(file);
@@ -254,12 +256,11 @@ TEST(CustomTemplates, are_good_nodes_of_their_category)
         StarterScene scene(library, *type);
         graph::Program program = graph::lower(scene.document, library);
         EXPECT_TRUE(program.gpu_only) << custom.name << " is not drawn";
-        shaders.push_back(codegen::print_fragment_shader(program, field::evaluate_frame(program, 0),
-                                                         codegen::Placement::literals));
+        shaders.push_back(
+            codegen::print_fragment_shader(program, field::evaluate_frame(program, 0), codegen::Placement::literals));
         EXPECT_SAYS(shaders.back(), std::string(custom.name) + "_");
     }
-    EXPECT_EQ(categories,
-              (std::vector<std::string>{"primitive", "shape2d", "modify", "domain", "value", "material"}));
+    EXPECT_EQ(categories, (std::vector<std::string>{"primitive", "shape2d", "modify", "domain", "value", "material"}));
     EXPECT_EQ(tests::glslang_errors(shaders), "");
 }
 
@@ -304,8 +305,7 @@ TEST_F(OwnTypeCommands, the_users_folder_adds_nodes)
     auto with_user = with_user_nodes(*graph::Library::embedded(), folder);
     EXPECT_EQ(with_user->type("pearl")->origin, graph::Origin::user_folder);
     ASSERT_EQ(with_user->left_out_of(graph::Origin::user_folder).size(), 1u);
-    tests::Outcome listed =
-        tests::run_shell("XDG_DATA_HOME=" + path("data") + " " + FIELDWRIGHT_BINARY + " nodes");
+    tests::Outcome listed = tests::run_shell("XDG_DATA_HOME=" + path("data") + " " + FIELDWRIGHT_BINARY + " nodes");
     EXPECT_EQ(listed.code, 0);
     EXPECT_SAYS(listed.output, "\n  pearl ");
 }

@@ -139,8 +139,9 @@ TEST_F(OwnTypes, a_held_back_type_has_sockets_and_counts_as_unconnected)
 {
     auto base = Library::embedded();
     document.own_types = {{"ball", ball_text("ball")}};
-    library = with_own_types(*base, document.own_types,
-                             {.refuse = [](const OwnType&) { return TextError{0, 0, "its code waits for your word"}; }});
+    library = with_own_types(*base, document.own_types, {.refuse = [](const OwnType&) {
+        return TextError{0, 0, "its code waits for your word"};
+    }});
     NodeId ball = add_node(document, *library, "ball"), output = add_node(document, *library, "output");
     ASSERT_EQ(connect(document, *library, ball, output, "d"), std::nullopt);
     Program held = lower(document, library);

@@ -87,8 +87,9 @@ TEST(LibraryWalk, compiles_every_function_for_every_instruction_set)
     ASSERT_GE(count, 1);
     for (const NodeType* type : library()->types()) {
         EXPECT_TRUE(type->compiled) << type->name;
-        for (const char* suffix : {"distance", "point", "point_a", "point_b", "point_c", "cell", "blend", "blend_c",
-                                   "shows_b", "bounds", "lipschitz", "stretch", "value", "material", "light", "ray", "sky"}) {
+        for (const char* suffix :
+             {"distance", "point", "point_a", "point_b", "point_c", "cell", "blend", "blend_c", "shows_b", "bounds",
+              "lipschitz", "stretch", "value", "material", "light", "ray", "sky"}) {
             const graph::Function* function = type->function(suffix);
             if (!function || (type->category == "output" && std::string_view(suffix) == "distance")) continue;
             for (int i = 0; i < count; ++i)

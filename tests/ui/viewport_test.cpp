@@ -455,7 +455,8 @@ TEST(Statistics, are_one_line_in_plain_words)
     picture.mean_steps = 31.4f;
     picture.max_steps = 256;
     picture.exhausted_share = 0.002f;
-    EXPECT_EQ(ui::statistics_text(picture), "1280 × 720 · cpu · 24.2 ms · 31.4 steps mean, 256 max · 0.200 % out of steps");
+    EXPECT_EQ(ui::statistics_text(picture),
+              "1280 × 720 · cpu · 24.2 ms · 31.4 steps mean, 256 max · 0.200 % out of steps");
 }
 
 TEST(Heatmap, is_the_one_of_the_shaders)
