@@ -31,6 +31,7 @@ int side_of(const graph::Node& node)
 
 // Where the cells lie on the screen.
 struct Sheet {
+    static constexpr float far_cells = 4096;
     ImVec2 low;
     float cell_px;
     int side;
@@ -39,10 +40,12 @@ struct Sheet {
     {
         return {low.x + x * cell_px, low.y + (static_cast<float>(side) - y) * cell_px};
     }
+    // A mouse that is nowhere is immensely far away: no whole number says where.
     glm::ivec2 cell(ImVec2 at) const
     {
-        return {static_cast<int>(std::floor((at.x - low.x) / cell_px)),
-                side - 1 - static_cast<int>(std::floor((at.y - low.y) / cell_px))};
+        glm::vec2 from_corner = glm::floor(glm::vec2(at.x - low.x, at.y - low.y) / cell_px);
+        glm::ivec2 cells(glm::clamp(from_corner, -far_cells, far_cells));
+        return {cells.x, side - 1 - cells.y};
     }
 };
 
