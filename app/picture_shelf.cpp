@@ -126,7 +126,7 @@ std::optional<PictureShelf::Wanted> PictureShelf::next_missing() const
 
 void PictureShelf::work(const std::stop_token& stop)
 {
-    renderer::lower_priority("pictures", renderer::picture_nice);
+    renderer::lower_priority("pictures", renderer::Priority::picture);
     while (!stop.stop_requested()) {
         std::optional<Wanted> wanted;
         {

@@ -203,7 +203,7 @@ bool SilhouetteWatch::take()
 
 void SilhouetteWatch::run()
 {
-    renderer::lower_priority("silhouettes", renderer::compile_nice);
+    renderer::lower_priority("silhouettes", renderer::Priority::compile);
     while (true) {
         std::optional<Task> task;
         {

@@ -22,7 +22,9 @@ constexpr double frame_share = 0.5;       // of the time, at most: the picture i
 constexpr double script_s = 0.05;         // between the looks of a script at a window at rest
 constexpr double lively_s = 0.35;         // frames go on this long after the last input: fades, hovering, framing
 constexpr double settling_s = 0.15;       // a hand this long at rest gets a picture in full
-constexpr double first_picture_s = 0.03;  // a frame waits this long for the picture of what it shows
+constexpr double first_picture_s = 0.03;  // a frame waits this long for the picture of what it shows, at most,
+constexpr double edit_frame_s = 0.047;    // and so long that with drawing the window it takes this
+constexpr double draw_memory = 0.95;      // of a frame that took long to draw, at the next one
 constexpr double idle_s = 1;              // autosave and the like look this often
 constexpr double watch_s = FolderWatch::interval_s;
 constexpr double blink_s = 0.4;  // of the text cursor
@@ -235,11 +237,16 @@ void Workbench::frame()
     window_.end_frame();
     if (output.text_expected) window_.input.wait_for_text();
     frame_times_.ui_s = now_s() - now;
-    if (follow(output, now)) await_first_picture();
+    bool edited = follow(output, now);
+    if (edited) await_first_picture(now + edit_frame_s - draw_s_ - now_s());
+    double drawing = now_s();
+    render_thread_.set_window_drawing(true);
     window_.draw_frame();
     if (script_) play_script();
     window_.show_frame();
+    render_thread_.set_window_drawing(false);
     pictured_generation_ = shown_generation_;
+    draw_s_ = std::max(now_s() - drawing, draw_memory * draw_s_);
     frame_times_.whole_s = now_s() - now;
     ++frames_drawn_;
 }
@@ -265,9 +272,9 @@ bool Workbench::follow(const ui::Editor::Output& output, double frame_start_s)
 
 // The frame that shows an edit shows its picture too, where that is there soon: the picture's threads have the machine to
 // themselves meanwhile, and a second frame is saved.
-void Workbench::await_first_picture()
+void Workbench::await_first_picture(double seconds)
 {
-    render_thread_.wait(awaited_generation_, first_picture_s);
+    render_thread_.wait(awaited_generation_, std::clamp(seconds, 0.0, first_picture_s));
     while (take_result()) {
     }
     hurried_ = false;

@@ -72,7 +72,7 @@ private:
     void save_own_node(const std::string& type);
     void fill_readings();
     bool take_result();
-    void await_first_picture();
+    void await_first_picture(double seconds);
     void forget_refusal();
     bool request_picture(bool hands_moving);
     bool follow(const ui::Editor::Output& output, double frame_start_s);
@@ -131,6 +131,7 @@ private:
     std::uint64_t refused_generation_ = 0;  // of the picture that compile_error_ is about
     bool quit_ = false;
     int frames_owed_ = 0;
+    double draw_s_ = 0;      // what drawing the window and showing it takes: of late, the worst
     bool hurried_ = false;  // what the hand waits for is there: it is drawn at once
     double last_frame_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything

@@ -8,14 +8,14 @@
 namespace fieldwright::renderer {
 namespace {
 
-constexpr double coarse_seconds = 0.05;  // while a hand moves: half of what it notices, the machine may be busy
-constexpr double first_seconds = 0.012;  // after an edit: a frame waits for it
+constexpr double coarse_seconds = 0.035;  // while a hand moves: a third of what it notices, the machine may be busy
+constexpr double first_seconds = 0.008;   // after an edit: a frame waits for it
 
 }  // namespace
 
 void CpuWorker::run()
 {
-    lower_priority("render cpu", picture_nice);
+    lower_priority("render cpu", Priority::picture);
     while (std::optional<Job> job = desk_.wait_for_job(Device::cpu)) {
         if (arena_.execute([&] { return draw(*job); })) desk_.done(Device::cpu, *job);
     }

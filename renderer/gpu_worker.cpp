@@ -24,7 +24,7 @@ bool LossRecord::too_many(Clock::time_point lost_at)
 
 void GpuWorker::run()
 {
-    lower_priority("render gpu", compile_nice);  // before the driver makes its threads
+    lower_priority("render gpu", Priority::compile);  // before the driver makes its threads
     try {
         open_device();
         while (std::optional<Job> job = desk_.wait_for_job(Device::gpu)) {

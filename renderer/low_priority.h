@@ -4,9 +4,10 @@
 
 namespace fieldwright::renderer {
 
-inline constexpr int picture_nice = 10, compile_nice = 19;
+// compile: only when nothing else wants the core, and off it the moment something does.
+enum class Priority { picture, compile };
 
 // The calling thread's; there is no way back up without privileges. The name has at most 15 characters.
-void lower_priority(const char* thread_name, int nice);
+void lower_priority(const char* thread_name, Priority priority);
 
 }  // namespace fieldwright::renderer

@@ -147,7 +147,9 @@ PicturePass::PicturePass(RenderDesk& desk, FramePool& frames, Device device, con
 
 bool PicturePass::stops() const
 {
-    return plan_.coarse ? desk_.stops_coarse(device_, job_) : desk_.stops_fine(device_, job_);
+    if (plan_.coarse) return desk_.stops_coarse(device_, job_);
+    desk_.wait_for_window();
+    return desk_.stops_fine(device_, job_);
 }
 
 std::optional<double> PicturePass::draw(const DrawFrame& draw_frame)

@@ -25,7 +25,7 @@ private:
         ~Observer() override { observe(false); }
         void on_scheduler_entry(bool is_worker) override
         {
-            if (is_worker) lower_priority("render worker", picture_nice);
+            if (is_worker) lower_priority("render worker", Priority::picture);
         }
     };
 

@@ -6,8 +6,9 @@
 namespace fieldwright::renderer {
 namespace {
 
-constexpr std::size_t report_limit = 16;                   // a window that does not poll gets the newest
-constexpr auto patience = std::chrono::milliseconds(100);  // pictures come at least this often
+constexpr std::size_t report_limit = 16;                        // a window that does not poll gets the newest
+constexpr auto patience = std::chrono::milliseconds(100);       // pictures come at least this often
+constexpr auto longest_pause = std::chrono::milliseconds(100);  // for the window, which may itself be waiting
 
 FrameRequest without_eye(FrameRequest frame)
 {
@@ -151,6 +152,21 @@ bool RenderDesk::stops_fine(Device device, const Job& job) const
 {
     std::lock_guard lock(mutex_);
     return newer_than(job) || !is_lead(device, job);
+}
+
+void RenderDesk::set_window_drawing(bool drawing)
+{
+    {
+        std::lock_guard lock(mutex_);
+        window_drawing_ = drawing && status_.gpu_is_software;
+    }
+    if (!drawing) changed_.notify_all();
+}
+
+void RenderDesk::wait_for_window() const
+{
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, longest_pause, [&] { return !window_drawing_ || closed_; });
 }
 
 bool RenderDesk::claim(const Job& job)

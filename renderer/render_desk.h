@@ -42,6 +42,10 @@ public:
     bool stops_coarse(Device device, const Job& job) const;
     bool stops_fine(Device device, const Job& job) const;
 
+    // On software GL the window's own drawing wants all cores: finer pictures pause for it, between tiles and strips.
+    void set_window_drawing(bool drawing);
+    void wait_for_window() const;
+
     // The GPU takes a job over from the CPU, and gives it back. Until it has `decided` the CPU waits, unless it is
     // `absent`: compiling.
     bool claim(const Job& job);
@@ -77,7 +81,7 @@ private:
     bool repeats_newest(const PictureRequest& request) const;
 
     mutable std::mutex mutex_;
-    std::condition_variable changed_;
+    mutable std::condition_variable changed_;
     std::function<void()> on_ready_;
 
     // Serials count from 1; 0 is none.
@@ -91,6 +95,7 @@ private:
     bool with_cpu_, with_gpu_;
     bool gpu_absent_ = true;  // until its context is made
     bool closed_ = false;
+    bool window_drawing_ = false;  // and on software GL
 
     std::optional<DrawnPicture> picture_;  // newest, not polled yet
     std::deque<RenderResult> reports_;

@@ -33,6 +33,7 @@ RenderThread::~RenderThread() = default;
 void RenderThread::request(PictureRequest request) { state_->desk.put(std::move(request)); }
 std::optional<RenderResult> RenderThread::poll() { return state_->desk.take(); }
 void RenderThread::wait(std::uint64_t generation, double seconds) { state_->desk.wait_for_result(generation, seconds); }
+void RenderThread::set_window_drawing(bool drawing) { state_->desk.set_window_drawing(drawing); }
 RenderStatus RenderThread::status() const { return state_->desk.status(); }
 
 }  // namespace fieldwright::renderer

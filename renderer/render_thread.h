@@ -85,6 +85,7 @@ public:
     std::optional<RenderResult> poll();    // what is new since the last poll: reports first, then the newest picture
     // Returns when there is a report or a picture of that generation to poll, or the time is over.
     void wait(std::uint64_t generation, double seconds);
+    void set_window_drawing(bool drawing);  // finer pictures pause meanwhile where both want the same cores
     RenderStatus status() const;
 
 private:

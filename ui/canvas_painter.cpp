@@ -48,6 +48,40 @@ ImU32 swatch_colour(glm::vec3 linear)
     return ImGui::ColorConvertFloat4ToU32({encoded(linear.r), encoded(linear.g), encoded(linear.b), 1});
 }
 
+// So many that no chord leaves the curve by more than a fifth of a pixel (the bound of a cubic's second derivative).
+int segment_count(const WireCurve& curve_px)
+{
+    const auto& p = curve_px.points;
+    float bend_px = std::max(glm::length(p[0] - 2.0f * p[1] + p[2]), glm::length(p[1] - 2.0f * p[2] + p[3]));
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(0.75f * bend_px / 0.2f))), 1, 64);
+}
+
+// A strip around a rounded box that fades from the inner to the outer one, which has its own rounding.
+void fading_ring(ImDrawList& list, const Box& inner, float inner_rounding, const Box& outer, float outer_rounding,
+                 ImU32 colour)
+{
+    constexpr int steps = 4, points = 4 * (steps + 1);  // to a corner
+    list.PrimReserve(6 * points, 2 * points);
+    ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    auto first = static_cast<ImDrawIdx>(list._VtxCurrentIdx);
+    auto at = [](const Box& box, float rounding, int corner, float angle) {
+        glm::vec2 middle{corner == 0 || corner == 3 ? box.high.x - rounding : box.low.x + rounding,
+                         corner < 2 ? box.high.y - rounding : box.low.y + rounding};
+        return im(middle + rounding * glm::vec2(std::cos(angle), std::sin(angle)));
+    };
+    for (int corner = 0; corner < 4; ++corner)
+        for (int step = 0; step <= steps; ++step) {
+            float angle = 0.5f * IM_PI * (static_cast<float>(corner) + static_cast<float>(step) / steps);
+            list.PrimWriteVtx(at(inner, inner_rounding, corner, angle), white, colour);
+            list.PrimWriteVtx(at(outer, outer_rounding, corner, angle), white, colour & ~IM_COL32_A_MASK);
+        }
+    for (int i = 0; i < points; ++i) {
+        int here = 2 * i, next = 2 * ((i + 1) % points);
+        for (int corner : {here, here + 1, next + 1, here, next + 1, next})
+            list.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
+    }
+}
+
 // How many bytes of `text` fit `width`, at a border between characters.
 std::size_t fitting_bytes(const ImFont& font, float size_px, std::string_view text, float width)
 {
@@ -103,12 +137,33 @@ void CanvasPainter::wire(const WireCurve& curve, SocketKind kind, WireLook look)
     float alpha = look == WireLook::faint ? 0.3f : strong ? 1.0f : 0.75f;
     float width = std::max((strong ? 3.0f : 2.0f) * std::min(space_.scale, theme_.px(1.5f)), theme_.px(1));
     if (look == WireLook::hovered) colour = mixed(colour, colour::text, 0.4f);
-    ImVec2 points[4];
-    for (std::size_t i = 0; i < 4; ++i) points[i] = im(space_.screen(curve.points[i]));
-    float way_px = glm::length(space_.screen(curve.points[3]) - space_.screen(curve.points[0]));
-    int segments = detail_ == Detail::boxes ? 8 : std::clamp(static_cast<int>(way_px / theme_.px(10)), 16, 64);
-    list_.AddBezierCubic(points[0], points[1], points[2], points[3], colour::with_alpha(colour, alpha), width,
-                         segments);
+    // Of whole pixels, a line is a strip of the font's texture: half the vertices, which software GL feels.
+    stroke_in_sight(curve, colour::with_alpha(colour, alpha), std::round(width));
+}
+
+// Only the stretches of a wire that are seen: most wires of a large graph come from far away.
+void CanvasPainter::stroke_in_sight(const WireCurve& curve, ImU32 colour, float width_px)
+{
+    WireCurve on_screen;
+    for (std::size_t i = 0; i < 4; ++i) on_screen.points[i] = space_.screen(curve.points[i]);
+    Box pane = space_.pane_px().grown(width_px);
+    int segments = segment_count(on_screen);
+    glm::vec2 from = on_screen.points[0];
+    auto stroke = [&] {
+        if (list_._Path.Size > 1) list_.PathStroke(colour, 0, width_px);
+        list_.PathClear();
+    };
+    for (int i = 1; i <= segments; ++i) {
+        glm::vec2 to = on_screen.at(static_cast<float>(i) / static_cast<float>(segments));
+        if (box_between(from, to).touches(pane)) {
+            if (list_._Path.Size == 0) list_.PathLineTo(im(from));
+            list_.PathLineTo(im(to));
+        } else {
+            stroke();
+        }
+        from = to;
+    }
+    stroke();
 }
 
 void CanvasPainter::node(const CanvasNode& node, const NodeLook& look)
@@ -157,11 +212,9 @@ void CanvasPainter::full_box(const CanvasNode& node, const NodeLook& look, const
 
 void CanvasPainter::shadow(const Box& box_px, float rounding)
 {
-    for (float spread : {2.0f, 5.0f, 9.0f}) {
-        Box soft = box_px.grown(px(spread));
-        glm::vec2 down{0, px(3)};
-        list_.AddRectFilled(im(soft.low + down), im(soft.high + down), IM_COL32(0, 0, 0, 26), rounding + px(spread));
-    }
+    glm::vec2 down{0, px(3)};
+    Box under{box_px.low + down, box_px.high + down};
+    fading_ring(list_, under.grown(-rounding), 0, under.grown(px(9)), rounding + px(9), IM_COL32(0, 0, 0, 110));
 }
 
 void CanvasPainter::outline(const Box& box_px, const NodeLook& look, float rounding)
@@ -267,27 +320,27 @@ void CanvasPainter::pin(glm::vec2 at, SocketKind kind, bool wired, PinLook look)
     }
     if (look == PinLook::glowing || look == PinLook::hovered)
         list_.AddCircleFilled(middle, radius * 1.9f, colour::with_alpha(edge, 0.25f));
-    auto polygon = [&](int corners, float turned, float size) {
+    auto polygon = [&](int corners, float turned, float size, ImU32 colour) {
         for (int i = 0; i < corners; ++i) {
             float angle = turned + 2 * IM_PI * static_cast<float>(i) / static_cast<float>(corners);
             list_.PathLineTo({middle.x + size * std::cos(angle), middle.y + size * std::sin(angle)});
         }
+        list_.PathFillConvex(colour);
     };
-    auto shape = [&](float size) {
+    auto shape = [&](float size, ImU32 colour) {
         switch (kind) {
             case SocketKind::field2d:
             case SocketKind::field3d:
-            case SocketKind::field_any: polygon(4, 0, 1.25f * size); return;
-            case SocketKind::material: polygon(4, IM_PI / 4, 1.25f * size); return;
-            case SocketKind::camera: polygon(3, 0, 1.3f * size); return;
-            case SocketKind::sky: polygon(6, 0, 1.1f * size); return;
-            default: polygon(detail_ == Detail::full ? 16 : 8, 0, size); return;
+            case SocketKind::field_any: polygon(4, 0, 1.25f * size, colour); return;
+            case SocketKind::material: polygon(4, IM_PI / 4, 1.25f * size, colour); return;
+            case SocketKind::camera: polygon(3, 0, 1.3f * size, colour); return;
+            case SocketKind::sky: polygon(6, 0, 1.1f * size, colour); return;
+            default: polygon(detail_ == Detail::full ? 12 : 8, 0, size, colour); return;
         }
     };
-    shape(radius);
-    list_.PathFillConvex(fill);
-    shape(radius);
-    list_.PathStroke(edge, ImDrawFlags_Closed, std::max(px(1.5f), theme_.px(1)));
+    float half_line = 0.5f * std::max(px(1.5f), theme_.px(1));
+    shape(radius + half_line, edge);
+    if (fill != edge) shape(radius - half_line, fill);
 }
 
 void CanvasPainter::caption(const Box& node, std::string_view words)

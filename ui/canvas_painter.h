@@ -54,6 +54,7 @@ public:
 private:
     float label_px() const;
     float px(float canvas) const { return canvas * space_.scale; }
+    void stroke_in_sight(const WireCurve& curve, ImU32 colour, float width_px);
     void shadow(const Box& box_px, float rounding);
     void outline(const Box& box_px, const NodeLook& look, float rounding);
     void plain_box(const CanvasNode& node, const NodeLook& look, const Box& box_px);

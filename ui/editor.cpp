@@ -14,7 +14,8 @@
 namespace fieldwright::ui {
 namespace {
 
-constexpr float splitter_px = 4;  // design px
+constexpr float splitter_px = 4;    // design px
+constexpr ImU32 no_background = 0;  // what the window is cleared in shows: each layer costs software GL milliseconds
 constexpr const char* canvas_hint =
     "Drag to select, right-drag to move the view, wheel to zoom; Space adds a node, F1 shows all shortcuts";
 constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
@@ -48,7 +49,8 @@ void begin_host_window(const Theme& theme)
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, menu_bar_padding(theme));
     ImGui::Begin("window", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_MenuBar | pane_flags);
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoBackground |
+                     pane_flags);  // the window is cleared in its colour
     ImGui::PopStyleVar(3);
 }
 
@@ -186,7 +188,7 @@ void Editor::draw_panes(FrameContext& frame)
     float inspector_height = std::floor(height * panes.inspector_share);
 
     over_ = Scope::everywhere;
-    bool over_viewport = pane("viewport", {low.x, top}, {left_width - bar, viewport_height - bar}, colour::window,
+    bool over_viewport = pane("viewport", {low.x, top}, {left_width - bar, viewport_height - bar}, no_background,
                               {0, 0}, pane_flags, [&] {
                                   ImVec2 room = ImGui::GetWindowSize();
                                   viewport_size_px_ = {static_cast<int>(room.x), static_cast<int>(room.y)};

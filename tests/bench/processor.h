@@ -2,9 +2,9 @@
 #pragma once
 
 #include "renderer/devices.h"
+#include "renderer/low_priority.h"
 
 #include <sys/resource.h>
-#include <unistd.h>
 #include <atomic>
 #include <memory>
 #include <thread>
@@ -38,7 +38,7 @@ public:
 private:
     void compile(const graph::Program& program)
     {
-        setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 19);
+        renderer::lower_priority("compiling", renderer::Priority::compile);
         renderer::GpuDevice gpu;
         std::string text = gpu.shader_text(program, 0);
         while (!stopped_) {
