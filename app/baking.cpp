@@ -14,44 +14,94 @@ namespace {
 using assets::Outlines;
 using assets::Writing;
 using graph::Document;
+using graph::Group;
 using graph::Library;
 using graph::Node;
 using graph::NodeType;
+using graph::PointList;
 
 constexpr std::size_t remembered = 64;  // writings whose outlines are kept at hand
 
-const graph::Parameter* contours_of(const NodeType* type)
+template <typename T>
+void take(const graph::Value& value, T& into)
 {
-    if (!type || !type->parameter("text")) return nullptr;
-    for (const graph::Parameter& parameter : type->parameters)
-        if (parameter.kind == graph::ParameterKind::list && parameter.unit == graph::contour_unit) return &parameter;
-    return nullptr;
+    if (const T* held = std::get_if<T>(&value)) into = *held;
 }
 
-Writing writing_of(const Node& node)
+// By the name of one of graph::writing_parameters; others say nothing of how a text is written.
+void set(Writing& writing, std::string_view name, const graph::Value& value)
 {
-    Writing writing;
-    auto read = [&](const char* name, auto& into) {
-        using T = std::remove_reference_t<decltype(into)>;
-        const graph::Value* value = node.parameter(name);
-        if (const T* held = value ? std::get_if<T>(value) : nullptr) into = *held;
-    };
-    read("text", writing.text);
-    read("font", writing.font);
-    read("letter_spacing", writing.letter_spacing);
-    read("line_spacing", writing.line_spacing);
-    read("alignment", writing.alignment);
-    return writing;
+    if (name == "text") take(value, writing.text);
+    if (name == "font") take(value, writing.font);
+    if (name == "letter_spacing") take(value, writing.letter_spacing);
+    if (name == "line_spacing") take(value, writing.line_spacing);
+    if (name == "alignment") take(value, writing.alignment);
 }
 
-template <typename Visit>
-void each_text(const Document& document, const Library& library, const Visit& visit)
-{
-    graph::for_each_graph(document, [&](const graph::Graph& graph) {
-        for (const Node& node : graph.nodes)
-            if (const graph::Parameter* contours = contours_of(library.type(node.type))) visit(node, *contours);
-    });
-}
+// What the nodes of a document write, through the groups that let their words be set from outside.
+class Writings {
+public:
+    Writings(const Document& document, const Library& library) : document_(document), library_(library) {}
+
+    // visit(node, its list of contours, how it is written): for every text of every graph.
+    template <typename Visit>
+    void each(const Visit& visit) const
+    {
+        graph::for_each_graph(document_, [&](const graph::Graph& graph) {
+            for (const Node& node : graph.nodes)
+                if (const NodeType* type = library_.type(node.type))
+                    for (const graph::Parameter& parameter : type->parameters)
+                        if (auto writing = is_contours(parameter) ? of(node, parameter.name) : std::nullopt)
+                            visit(node, parameter.name, *writing);
+        });
+    }
+
+private:
+    static bool is_contours(const graph::Parameter& parameter)
+    {
+        return parameter.kind == graph::ParameterKind::list && parameter.unit == graph::contour_unit;
+    }
+
+    std::optional<Writing> of(const Node& node, std::string_view contours) const
+    {
+        const Group* group = graph::group_of(document_, node);
+        if (group) return of_group(node, *group, contours);
+        if (!node.parameter("text")) return std::nullopt;
+        Writing writing;
+        for (const auto& [name, value] : node.parameters) set(writing, name, value);
+        return writing;
+    }
+
+    // As inside, but for what is set here.
+    std::optional<Writing> of_group(const Node& node, const Group& group, std::string_view contours) const
+    {
+        auto [id, inner_contours] = graph::ready_made(contours);
+        const Node* inner = group.graph.find(id);
+        std::optional<Writing> writing = inner ? of(*inner, inner_contours) : std::nullopt;
+        if (!writing) return std::nullopt;
+        for (const graph::Exposed& exposed : group.exposed) {
+            const graph::Value* value = exposed.node == id ? node.parameter(exposed.name) : nullptr;
+            if (value) set(*writing, what_it_sets(*inner, exposed.socket, inner_contours), *value);
+        }
+        return writing;
+    }
+
+    // The parameter of the text itself that a parameter of the node sets.
+    std::string_view what_it_sets(const Node& node, std::string_view parameter, std::string_view contours) const
+    {
+        const Group* group = graph::group_of(document_, node);
+        if (!group) return parameter;
+        auto [id, inner_contours] = graph::ready_made(contours);
+        const Node* inner = group->graph.find(id);
+        for (const graph::Exposed& exposed : group->exposed)
+            if (inner && exposed.node == id && exposed.name == parameter)
+                return what_it_sets(*inner, exposed.socket, inner_contours);
+        return {};
+    }
+
+    const Document& document_;
+    const Library& library_;
+};
 
 }  // namespace
 
@@ -65,31 +115,35 @@ const Outlines& Baking::outlines(const Writing& writing)
 void Baking::follow(const Document& document, const Library& library)
 {
     written_.clear();
-    each_text(document, library,
-              [&](const Node& node, const graph::Parameter&) { written_[node.id] = writing_of(node); });
+    Writings(document, library).each([&](const Node& node, const std::string& contours, const Writing& writing) {
+        written_[{node.id, contours}] = writing;
+    });
 }
 
 void Baking::bake(Document& document, const Library& library)
 {
-    graph::for_each_graph(document, [&](graph::Graph& graph) {
-        for (Node& node : graph.nodes) {
-            const graph::Parameter* contours = contours_of(library.type(node.type));
-            auto before = written_.find(node.id);
-            if (!contours || before == written_.end() || before->second == writing_of(node)) continue;
-            const Outlines& baked = outlines(writing_of(node));
-            if (!baked.problem.empty()) continue;
-            for (auto& [name, value] : node.parameters)
-                if (name == contours->name) value = baked.contours;
-        }
+    std::map<std::pair<graph::NodeId, std::string>, PointList> remade;
+    Writings(document, library).each([&](const Node& node, const std::string& contours, const Writing& writing) {
+        auto before = written_.find({node.id, contours});
+        bool may_be_kept = before == written_.end() ? !graph::group_of(document, node) : before->second == writing;
+        if (may_be_kept) return;
+        const Outlines& baked = outlines(writing);
+        if (baked.problem.empty()) remade[{node.id, contours}] = baked.contours;
     });
+    if (!remade.empty())
+        graph::for_each_graph(document, [&](graph::Graph& graph) {
+            for (Node& node : graph.nodes)
+                for (auto& [name, value] : node.parameters)
+                    if (auto found = remade.find({node.id, name}); found != remade.end()) value = found->second;
+        });
     follow(document, library);
 }
 
 std::vector<graph::Problem> Baking::notes(const Document& document, const Library& library)
 {
     std::vector<graph::Problem> notes;
-    each_text(document, library, [&](const Node& node, const graph::Parameter&) {
-        const std::string& problem = outlines(writing_of(node)).problem;
+    Writings(document, library).each([&](const Node& node, const std::string&, const Writing& writing) {
+        const std::string& problem = outlines(writing).problem;
         if (!problem.empty()) notes.push_back({node.id, problem, graph::Problem::Severity::note});
     });
     return notes;

@@ -21,6 +21,7 @@ int edit(const std::filesystem::path& scene, const Session& session);
 
 void add_edit(CLI::App& parser, Session& session);
 void add_render(CLI::App& parser, Session& session);
+void add_slice(CLI::App& parser, Session& session);
 void add_eval(CLI::App& parser, Session& session);
 void add_check(CLI::App& parser, Session& session);
 void add_export(CLI::App& parser, Session& session);

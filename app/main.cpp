@@ -41,8 +41,8 @@ int run(int argc, char** argv)
     CLI::App parser("Fieldwright: node graphs of signed distance fields, drawn by sphere tracing.", "fieldwright");
     parser.add_flag("--version", version, "Print the version and stop");
     parser.add_flag("--json", json, "With --version: as JSON");
-    for (auto add : {app::add_edit, app::add_render, app::add_eval, app::add_check, app::add_export, app::add_nodes,
-                     app::add_new, app::add_info})
+    for (auto add : {app::add_edit, app::add_render, app::add_slice, app::add_eval, app::add_check, app::add_export,
+                     app::add_nodes, app::add_new, app::add_info})
         add(parser, session);
     constexpr auto shaders_help = "Read node files and shading from this folder instead of those built in";
     parser.add_option("--shaders", session.shaders, shaders_help);

@@ -2,6 +2,7 @@
 #include "app/new_scene.h"
 
 #include "graph/edits.h"
+#include "graph/settings.h"
 
 #include <array>
 #include <cassert>
@@ -19,6 +20,7 @@ public:
 
     graph::Document build()
     {
+        graph::set_bounces(document_, graph::bounces_of_new_scenes);
         NodeId solid = place(0, "rounded_box", "Block");
         NodeId hollow = place(0, "sphere", "Hollow");
         NodeId pearl = place(0, "sphere", "Pearl");

@@ -112,6 +112,8 @@ std::string joined(const std::vector<std::string>& words)
 // Fields only: every number parameter is a socket too, and stands in the table.
 std::string sockets_text(const NodeType& type)
 {
+    std::string kind = " (" + std::string(graph::socket_kind_name(type.output)) + ")";
+    if (type.most_inputs > 0) return "`a`, `b`, `shape_3` to `shape_" + std::to_string(type.most_inputs) + "`" + kind;
     std::string text;
     for (const graph::Socket& socket : type.inputs)
         if (!type.parameter(socket.name))

@@ -1,6 +1,7 @@
 // Reading, baking and keeping, on the caller's thread or one of its own.
 #include "app/picture_shelf.h"
 
+#include "assets/panorama_bake.h"
 #include "graph/problem.h"
 #include "renderer/low_priority.h"
 
@@ -22,6 +23,15 @@ std::shared_ptr<const graph::BakedImage> none_because(std::string sentence)
     return std::make_shared<const graph::BakedImage>(graph::BakedImage{{}, std::move(sentence)});
 }
 
+bool is_panorama(const graph::ImageRequest& request) { return request.part == graph::panorama; }
+
+// A few pixels of a drawing for each sample of its edge, one for each of a panorama's light.
+assets::PictureQuestion question_of(const graph::ImageRequest& request)
+{
+    if (is_panorama(request)) return {assets::PixelScale::light, request.detail};
+    return {assets::PixelScale::shown, assets::pixels_wanted(request.detail)};
+}
+
 }  // namespace
 
 fs::path picture_path(const graph::ImageRequest& request, const fs::path& folder)
@@ -29,20 +39,19 @@ fs::path picture_path(const graph::ImageRequest& request, const fs::path& folder
     return (folder / fs::path(request.path)).lexically_normal();
 }
 
-const assets::PictureAnswer& ImageMaker::read(const fs::path& file, int detail, const std::optional<FileStamp>& stamp,
-                                              const std::stop_token& stop)
+const assets::PictureAnswer& ImageMaker::read(const fs::path& file, const assets::PictureQuestion& question,
+                                              const std::optional<FileStamp>& stamp, const std::stop_token& stop)
 {
     auto known = std::find_if(read_.begin(), read_.end(), [&](const Read& read) {
-        return read.file == file && read.detail == detail && read.stamp == stamp && read.answer;
+        return read.file == file && read.question == question && read.stamp == stamp && read.answer;
     });
     if (known != read_.end()) {
         read_.splice(read_.begin(), read_, known);
         return read_.front().answer;
     }
     assets::PictureAnswer answer =
-        assets::read_picture(worker_, assets::picture_bytes(file), subject_of(file),
-                             {assets::PixelScale::shown, assets::pixels_wanted(detail)}, stop);
-    read_.push_front({file, detail, stamp, std::move(answer)});
+        assets::read_picture(worker_, assets::picture_bytes(file), subject_of(file), question, stop);
+    read_.push_front({file, question, stamp, std::move(answer)});
     if (read_.size() > files_kept) read_.pop_back();
     return read_.front().answer;
 }
@@ -52,8 +61,9 @@ std::shared_ptr<const graph::BakedImage> ImageMaker::make(const fs::path& file, 
                                                           const std::stop_token& stop)
 {
     try {
-        const assets::PictureAnswer& answer = read(file, request.detail, stamp, stop);
+        const assets::PictureAnswer& answer = read(file, question_of(request), stamp, stop);
         if (!answer) return none_because(answer.sentence + "; choose another file");
+        if (is_panorama(request)) return std::make_shared<const graph::BakedImage>(assets::panorama(answer.pixels));
         return std::make_shared<const graph::BakedImage>(assets::baked(answer.pixels, request, subject_of(file)));
     } catch (const graph::Failure& failure) {
         return none_because(subject_of(file) + " " + failure.what() + "; choose another file");
@@ -113,7 +123,8 @@ std::shared_ptr<const graph::BakedImage> PictureShelf::stand_in(const Wanted& wa
 {
     const Made* newest = nullptr;
     for (const auto& [made_for, made] : made_)
-        if (made_for.file == wanted.file && made.image->sentence.empty() && (!newest || made.turn > newest->turn))
+        if (made_for.file == wanted.file && is_panorama(made_for.request) == is_panorama(wanted.request) &&
+            made.image->sentence.empty() && (!newest || made.turn > newest->turn))
             newest = &made;
     return newest ? newest->image : nullptr;
 }

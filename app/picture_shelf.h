@@ -28,11 +28,11 @@ public:
 private:
     struct Read {
         std::filesystem::path file;
-        int detail = 0;
+        assets::PictureQuestion question;
         std::optional<FileStamp> stamp;
         assets::PictureAnswer answer;
     };
-    const assets::PictureAnswer& read(const std::filesystem::path& file, int detail,
+    const assets::PictureAnswer& read(const std::filesystem::path& file, const assets::PictureQuestion& question,
                                       const std::optional<FileStamp>& stamp, const std::stop_token& stop);
 
     static constexpr std::size_t files_kept = 4;

@@ -1,133 +1,102 @@
-// `render`: a scene to a PNG, on the GPU or the CPU.
+// `render`: a scene to a picture, or to one for every frame of an animation.
 #include "app/commands.h"
-#include "app/progress_line.h"
-#include "app/scene_arguments.h"
-#include "renderer/devices.h"
-#include "renderer/picture.h"
+#include "app/frame_numbers.h"
+#include "app/picture_maker.h"
+#include "graph/json.h"
+#include "graph/settings.h"
 
-#include <charconv>
+#include <chrono>
+#include <cmath>
 #include <iostream>
 
 namespace fieldwright::app {
 namespace {
 
-constexpr int side_limit_px = 16384;
-constexpr std::int64_t area_limit_px = 64'000'000;
+constexpr int partly_failed = 7;
 
-struct RenderArguments {
-    SceneArguments scene;
-    std::filesystem::path output;
-    std::string size = "960x540", device = "auto", view = "beauty", stereo = "off";
-    float interaxial = 0.065f, convergence = 5.0f;  // m
-    bool quiet = false;
+struct Shot {
+    std::filesystem::path path;
+    float time = 0;            // s
+    std::optional<int> frame;  // of an animation
 };
 
-std::optional<std::pair<int, int>> parse_size(const std::string& text)
+std::vector<Shot> shots_of(const RenderArguments& arguments, const graph::AnimationSettings& animation)
 {
-    int width = 0, height = 0;
-    const char* end = text.data() + text.size();
-    auto [cross, bad_width] = std::from_chars(text.data(), end, width);
-    if (bad_width != std::errc() || cross == end || *cross != 'x') return std::nullopt;
-    auto [stop, bad_height] = std::from_chars(cross + 1, end, height);
-    if (bad_height != std::errc() || stop != end || width < 1 || height < 1) return std::nullopt;
-    return std::pair(width, height);
+    if (arguments.frames.empty()) return {{arguments.output, arguments.scene.time, std::nullopt}};
+    std::vector<Shot> shots;
+    const std::vector<int> frames = *frames_from_text(arguments.frames);
+    for (int frame : frames) {
+        std::filesystem::path path = arguments.output;
+        path.replace_filename(numbered(arguments.output.filename().string(), frame));
+        shots.push_back({path, graph::time_of_frame(animation, frame), frame});
+    }
+    return shots;
 }
 
-std::string size_error(const std::string& text)
+// One line, flushed: who reads it may wait for it.
+void print_json(const Shot& shot, const PictureMaker& maker, double ms)
 {
-    auto size = parse_size(text);
-    if (!size) return "`" + text + "` is not a size; write WIDTHxHEIGHT in pixels, such as 960x540";
-    if (std::max(size->first, size->second) > side_limit_px || std::int64_t{size->first} * size->second > area_limit_px)
-        return "a picture has at most 16384 pixels a side and 64 million in all";
-    return {};
+    std::string line = "{";
+    if (shot.frame) line += "\"frame\": " + std::to_string(*shot.frame) + ", ";
+    line += "\"path\": ";
+    graph::append_json_string(line, shot.path.string());
+    line += ", \"ms\": " + std::to_string(std::lround(ms)) + ", \"samples\": " + std::to_string(maker.samples()) +
+            ", \"device\": ";
+    graph::append_json_string(line, maker.device_name());
+    std::cout << line << "}" << std::endl;
 }
 
-std::string png_error(const std::string& text)
+void make(const Shot& shot, const RenderArguments& arguments, PictureMaker& maker)
 {
-    std::string extension = std::filesystem::path(text).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return extension == ".png" ? "" : "pictures are written as .png only; rename `" + text + "`";
+    auto start = std::chrono::steady_clock::now();
+    maker.make(shot.path, shot.time);
+    std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    if (arguments.json) print_json(shot, maker, taken.count());
 }
 
-// The device that `--device` means for this program; none = the CPU. `auto` must not depend on timing.
-std::optional<renderer::GpuDevice> choose_gpu(const std::string& device, const graph::Program& program)
+// How many of them failed; the first failure ends it, unless they are to be passed over.
+int make_all(const std::vector<Shot>& shots, const RenderArguments& arguments, PictureMaker& maker)
 {
-    bool by_cpu = renderer::runs_on_cpu(program);
-    if (device == "cpu" && !by_cpu && !program.gpu_only)
-        throw graph::Failure(
-            1,
-            "the shading of --shaders (render/*.glsl) is not the one compiled into this program, so only "
-            "a GPU can draw with it; use --device gpu, or build the program with these shaders");
-    if (device == "cpu") return std::nullopt;
-    if (device == "gpu" || !by_cpu) return renderer::GpuDevice();
-    try {
-        renderer::GpuDevice gpu;
-        if (!gpu.software()) return gpu;
-    } catch (const graph::Failure& failure) {
-        if (failure.exit_code != 4) throw;  // no GL: the CPU draws
+    int failed = 0;
+    for (const Shot& shot : shots) {
+        std::error_code error;
+        if (arguments.skip_existing && std::filesystem::exists(shot.path, error)) continue;
+        try {
+            make(shot, arguments, maker);
+        } catch (const graph::Failure& failure) {
+            std::string where = shot.frame ? "frame " + std::to_string(*shot.frame) + ": " : "";
+            if (!arguments.keep_going) throw graph::Failure(failure.exit_code, where + failure.what());
+            std::cerr << "fieldwright: " << where << failure.what() << "\n";
+            ++failed;
+        }
     }
-    return std::nullopt;
+    return failed;
 }
 
-class Drawing {
-public:
-    Drawing(const RenderArguments& arguments, const graph::Program& program)
-        : arguments_(arguments), program_(program), gpu_(choose_gpu(arguments.device, program)), line_(!arguments.quiet)
-    {
-        std::tie(request_.width, request_.height) = *parse_size(arguments.size);
-        request_.time = arguments.scene.time;
-        request_.interaxial = arguments.interaxial;
-        request_.convergence = arguments.convergence;
-    }
-
-    renderer::Picture draw()
-    {
-        renderer::View view = *renderer::view_from_name(arguments_.view);
-        renderer::Stereo stereo = *renderer::stereo_from_name(arguments_.stereo);
-        int step_limit = program_.march.step_limit;
-        if (stereo == renderer::Stereo::off)
-            return renderer::picture(frame(renderer::Eye::centre, 0, 1), view, step_limit);
-        renderer::Frame left = frame(renderer::Eye::left, 0, 0.5f);
-        renderer::Frame right = frame(renderer::Eye::right, 0.5f, 0.5f);
-        return renderer::anaglyph(left, right, view, step_limit, stereo);
-    }
-
-    void finish()
-    {
-        line_.finish(arguments_.output.string() + "  " + std::to_string(request_.width) + "x" +
-                     std::to_string(request_.height) + " on " + (gpu_ ? gpu_->renderer_name() : "the CPU"));
-    }
-
-private:
-    renderer::Frame frame(renderer::Eye eye, float start, float share)
-    {
-        renderer::FrameRequest request = request_;
-        request.eye = eye;
-        auto progress = [&](float fraction) { line_.show(start + share * fraction); };
-        return gpu_ ? gpu_->render(program_, request, progress) : renderer::render_on_cpu(program_, request, progress);
-    }
-
-    const RenderArguments& arguments_;
-    const graph::Program& program_;
-    std::optional<renderer::GpuDevice> gpu_;
-    renderer::FrameRequest request_;
-    ProgressLine line_;
-};
+std::string summary(const std::vector<Shot>& shots, const RenderArguments& arguments)
+{
+    std::string pictures = shots.size() == 1 ? shots[0].path.string()
+                                             : std::to_string(shots.size()) + " frames as " + arguments.output.string();
+    return pictures + "  " + arguments.size;
+}
 
 int render(const RenderArguments& arguments, const Session& session)
 {
+    require_sense(arguments);
     require_place(arguments.output);
     auto [document, library] = open_document(arguments.scene, session.library());
+    change_settings(document, arguments);
     require_allowed_code(arguments.scene, document);
     graph::LowerOptions options;
-    options.ids = renderer::view_from_name(arguments.view) == renderer::View::id;
+    options.ids = arguments.sheet || arguments.format() == renderer::PictureFormat::exr ||
+                  arguments.display.view == "id" || arguments.display.view == "material";
     graph::Program program = lower_scene(arguments.scene, document, library, options);
     report_problems(program, document);
-    Drawing drawing(arguments, program);
-    renderer::write_png(arguments.output, drawing.draw());
-    drawing.finish();
-    return 0;
+    std::vector<Shot> shots = shots_of(arguments, document.animation);
+    PictureMaker maker(arguments, document, program, shots.size());
+    int failed = make_all(shots, arguments, maker);
+    maker.finish(summary(shots, arguments));
+    return failed > 0 ? partly_failed : 0;
 }
 
 }  // namespace
@@ -135,29 +104,8 @@ int render(const RenderArguments& arguments, const Session& session)
 void add_render(CLI::App& parser, Session& session)
 {
     auto arguments = std::make_shared<RenderArguments>();
-    CLI::App& command = *parser.add_subcommand("render", "Draw a scene to a PNG");
-    add_scene(command, arguments->scene);
-    command.add_option("-o,--output", arguments->output, "The picture (*.png)")->required()->check(png_error);
-    command.add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels")->check(size_error)->capture_default_str();
-    command.add_option("--device", arguments->device, "auto draws on a hardware GPU, else on the CPU")
-        ->check(CLI::IsMember({"gpu", "cpu", "auto"}))
-        ->capture_default_str();
-    command.add_option("--view", arguments->view, "What the pixels show")
-        ->check(CLI::IsMember(renderer::view_names()))
-        ->capture_default_str();
-    command.add_option("--stereo", arguments->stereo, "Red-cyan anaglyph of two off-axis eyes")
-        ->check(CLI::IsMember(renderer::stereo_names()))
-        ->capture_default_str();
-    command.add_option("--interaxial", arguments->interaxial, "Distance between the eyes in metres")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
-    command.add_option("--convergence", arguments->convergence, "Distance in metres that appears on the screen")
-        ->check(CLI::Range(0.01, 1000.0))
-        ->capture_default_str();
-    add_time(command, arguments->scene);
-    add_changes(command, arguments->scene);
-    add_allow_code(command, arguments->scene);
-    command.add_flag("-q,--quiet", arguments->quiet, "No progress on stderr");
+    CLI::App& command = *parser.add_subcommand("render", "Draw a scene to a picture, or an animation to a sequence");
+    add_render_options(command, *arguments);
     command.callback(
         [arguments, &session] { session.action = [arguments, &session] { return render(*arguments, session); }; });
 }

@@ -2,6 +2,7 @@
 #include "app/shown_scene.h"
 
 #include "app/blend_curve.h"
+#include "app/measured_box.h"
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
 
@@ -15,32 +16,29 @@ const graph::Node* output_of(const graph::Document& document, const graph::Libra
     return nullptr;
 }
 
-std::optional<ui::Measured> measured(const graph::Document& document,
-                                     const std::shared_ptr<const graph::Library>& library,
-                                     const graph::BakedImages& images, graph::NodeId root)
-{
-    graph::LowerOptions options;
-    options.bounds = true;
-    options.root = root;
-    options.images = &images;
-    graph::Program program = graph::lower(document, library, options);
-    if (program.bounds < 0) return std::nullopt;
-    std::int32_t slot = program.values[static_cast<std::size_t>(program.bounds)].slot;
-    if (slot < 0) return std::nullopt;
-    std::vector<float> block = field::evaluate_frame(program, 0);
-    const float* box = &block[static_cast<std::size_t>(slot)];
-    return ui::Measured{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
-}
-
 }  // namespace
+
+// Whether only settings differ that no program knows.
+bool ShownScene::is_drawn_alike(const graph::Document& document, const graph::Library& library,
+                                const graph::BakedImages& images) const
+{
+    if (!program_ || &library != library_.get() || images != images_) return false;
+    graph::Document other = document;
+    other.picture = document_.picture;
+    other.animation = document_.animation;
+    return other == document_;
+}
 
 void ShownScene::update(const graph::Document& document, const std::shared_ptr<const graph::Library>& library,
                         graph::BakedImages images)
 {
+    bool drawn_alike = is_drawn_alike(document, *library, images);
     document_ = document;
+    if (drawn_alike) return;
     library_ = library;
     images_ = std::move(images);
-    program_ = std::make_shared<const graph::Program>(graph::lower(document, library, {.images = &images_}));
+    program_ = std::make_shared<const graph::Program>(
+        graph::lower(document, library, {.images = &images_, .slopes = &slopes_}));
     baking_.follow(document, *library);
     problems_ = program_->problems;
     for (graph::Problem& note : baking_.notes(document, *library)) problems_.push_back(std::move(note));
@@ -74,7 +72,8 @@ std::optional<ui::Measured> ShownScene::bounds_of(graph::NodeId node)
         if (const graph::Node* here = graph.find(node)) found = here;
     });
     const graph::NodeType* type = found ? library_->type(found->type) : nullptr;
-    if (is_new && (!node || (type && type->is_field()))) known->second = measured(document_, library_, images_, node);
+    if (is_new && (!node || (type && type->is_field())))
+        known->second = measured_box(document_, library_, images_, slopes_, node);
     return known->second;
 }
 

@@ -4,6 +4,7 @@
 #include "app/baking.h"
 #include "app/silhouettes.h"
 #include "graph/program.h"
+#include "graph/slope.h"
 #include "ui/readings.h"
 
 #include <map>
@@ -38,9 +39,13 @@ public:
     std::shared_ptr<const std::string> shader_text(float time_s);
 
 private:
+    bool is_drawn_alike(const graph::Document& document, const graph::Library& library,
+                        const graph::BakedImages& images) const;
+
     graph::Document document_;
     std::shared_ptr<const graph::Library> library_;
     graph::BakedImages images_;
+    graph::SlopeMemo slopes_;
     std::shared_ptr<const graph::Program> program_;
     Baking baking_;
     SilhouetteWatch silhouettes_;

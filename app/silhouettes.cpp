@@ -3,6 +3,7 @@
 
 #include "field/evaluator.h"
 #include "graph/drawing.h"
+#include "graph/expansion.h"
 #include "graph/known_types.h"
 #include "renderer/low_priority.h"
 
@@ -129,9 +130,30 @@ std::vector<glm::ivec2> missed_cells(const Solid& solid, const View& view, const
     return missed;
 }
 
-void compare(const graph::Document& document, const std::shared_ptr<const graph::Library>& library, const Node& node,
+// A scene whose groups are expanded, and whose nodes its nodes are.
+struct Scene {
+    graph::Document document;
+    std::vector<graph::InnerCopy> copies;
+
+    graph::Problem note_on(NodeId node, std::string sentence) const
+    {
+        std::vector<NodeId> path = graph::path_of(copies, node);
+        return {path.front(), std::move(sentence), graph::Problem::Severity::note, {path.begin() + 1, path.end()}};
+    }
+    NodeId original(NodeId node) const { return graph::path_of(copies, node).back(); }
+};
+
+Scene scene_of(const graph::Document& document, const graph::Library& library)
+{
+    if (document.groups.empty()) return {document, {}};
+    graph::Expansion expansion = graph::expanded(document, library);
+    return {std::move(expansion.document), std::move(expansion.copies)};
+}
+
+void compare(const Scene& scene, const std::shared_ptr<const graph::Library>& library, const Node& node,
              const std::atomic<bool>& cancelled, Silhouettes& into)
 {
+    const graph::Document& document = scene.document;
     std::optional<Solid> solid;
     for (const View& view : views) {
         const Node* source = document.root.find(node.input(view.socket));
@@ -142,21 +164,23 @@ void compare(const graph::Document& document, const std::shared_ptr<const graph:
         if (solid->program.gpu_only) return;
         std::vector<glm::ivec2> missed = missed_cells(*solid, view, *sheet, cancelled);
         if (missed.empty()) continue;
-        into.notes.push_back({node.id,
-                              "the " + std::string(view.words) + " misses " + std::to_string(missed.size()) + " of " +
-                                  std::to_string(sheet->drawing.count()) +
-                                  " cells: the other views leave nothing behind them",
-                              graph::Problem::Severity::note});
-        std::vector<glm::ivec2>& cells = into.missed[source->id];
+        into.notes.push_back(scene.note_on(
+            node.id, "the " + std::string(view.words) + " misses " + std::to_string(missed.size()) + " of " +
+                         std::to_string(sheet->drawing.count()) + " cells: the other views leave nothing behind them"));
+        std::vector<glm::ivec2>& cells = into.missed[scene.original(source->id)];
         cells.insert(cells.end(), missed.begin(), missed.end());
     }
 }
 
+bool is_solid(const Node& node) { return node.type == graph::known_types::three_extrusions && !node.muted; }
+
 bool has_solids(const graph::Document& document)
 {
-    return std::any_of(document.root.nodes.begin(), document.root.nodes.end(), [](const Node& node) {
-        return node.type == graph::known_types::three_extrusions && !node.muted;
+    bool found = false;
+    graph::for_each_graph(document, [&](const graph::Graph& graph) {
+        found = found || std::any_of(graph.nodes.begin(), graph.nodes.end(), is_solid);
     });
+    return found;
 }
 
 }  // namespace
@@ -165,9 +189,9 @@ Silhouettes compare_silhouettes(const graph::Document& document, const std::shar
                                 const std::atomic<bool>& cancelled)
 {
     Silhouettes silhouettes;
-    for (const Node& node : document.root.nodes)
-        if (node.type == graph::known_types::three_extrusions && !node.muted)
-            compare(document, library, node, cancelled, silhouettes);
+    Scene scene = scene_of(document, *library);
+    for (const Node& node : scene.document.root.nodes)
+        if (is_solid(node)) compare(scene, library, node, cancelled, silhouettes);
     return silhouettes;
 }
 

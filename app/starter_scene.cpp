@@ -4,6 +4,7 @@
 #include "field/evaluator.h"
 #include "graph/layout.h"
 #include "graph/program.h"
+#include "graph/settings.h"
 #include "ui/node_geometry.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ using graph::SocketKind;
 namespace {
 
 constexpr glm::vec3 warm_albedo{0.80f, 0.33f, 0.12f};
+constexpr int shown_inputs = 3;
 
 bool is_field(SocketKind kind)
 {
@@ -35,6 +37,7 @@ void require(const graph::Refusal& refusal)
 StarterScene::StarterScene(std::shared_ptr<const graph::Library> library, const NodeType& type)
     : library_(std::move(library)), type_(type)
 {
+    require(graph::set_bounces(document, graph::bounces_of_new_scenes));
     shown_ = place(type.name);
     NodeId root = subject();
     output_ = type.category == "output" ? shown_ : place("output");
@@ -140,12 +143,12 @@ NodeId StarterScene::measured()
     return painted(material);
 }
 
-// Something different at every field input, and a colour at a material's.
+// Something different at every field input, of many at the first few, and a colour at a material's.
 void StarterScene::fill_inputs()
 {
     int fields = 0;
     for (const graph::Socket& socket : type_.inputs) {
-        if (is_field(socket.kind)) wire(companion(socket.kind, fields++), shown_, socket.name);
+        if (is_field(socket.kind) && fields < shown_inputs) wire(companion(socket.kind, fields++), shown_, socket.name);
         if (socket.kind != SocketKind::material) continue;
         NodeId material = place("phong");
         set(material, "albedo", warm_albedo);
@@ -159,7 +162,7 @@ NodeId StarterScene::companion(SocketKind kind, int index)
     if (index == 0) return place("box");
     NodeId ball = place("sphere"), moved = over("translate", ball);
     set(ball, "radius", 0.5f);
-    set(moved, "offset", glm::vec3(0.4f, 0.4f, 0.4f));
+    set(moved, "offset", index % 2 == 1 ? glm::vec3(0.4f, 0.4f, 0.4f) : glm::vec3(-0.4f, -0.4f, 0.6f));
     return moved;
 }
 

@@ -39,6 +39,9 @@ void remember_panes(WindowState& state, const ui::ViewState& view)
     state.remember("panes/inspector_share", view.panes.inspector_share);
     state.remember("panes/minimap", view.minimap ? 1.0 : 0.0);
     state.remember("panes/statistics", view.statistics ? 1.0 : 0.0);
+    state.remember("panes/node_costs", view.node_costs ? 1.0 : 0.0);
+    state.remember("stereo/screen_width", view.eyes.screen_width);
+    state.remember("stereo/viewing_distance", view.eyes.viewing_distance);
     state.remember("reduced_motion", view.reduced_motion ? 1.0 : 0.0);
 }
 
@@ -54,6 +57,12 @@ void recall_panes(const WindowState& state, ui::ViewState& view)
     panes.inspector_share = share("panes/inspector_share", panes.inspector_share);
     view.minimap = state.number("panes/minimap", view.minimap) != 0;
     view.statistics = state.number("panes/statistics", view.statistics) != 0;
+    view.node_costs = state.number("panes/node_costs", view.node_costs) != 0;
+    auto metres = [&](const char* key, float value) {
+        return std::clamp(static_cast<float>(state.number(key, value)), 0.05f, 100.0f);
+    };
+    view.eyes.screen_width = metres("stereo/screen_width", view.eyes.screen_width);
+    view.eyes.viewing_distance = metres("stereo/viewing_distance", view.eyes.viewing_distance);
     view.reduced_motion = state.number("reduced_motion", view.reduced_motion) != 0;
 }
 

@@ -1,15 +1,18 @@
 // One turn of the editor: wait, take what is new, draw, do what was asked, ask for the next picture.
 #include "app/workbench.h"
 
+#include "app/choices.h"
 #include "app/library_reload.h"
+#include "app/shown_display.h"
 #include "app/user_nodes.h"
 #include "app/view_memory.h"
+#include "assets/font_file.h"
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
 #include "graph/expansion.h"
 #include "graph/scene_file.h"
 #include "ui/group_actions.h"
-#include "ui/viewport_overlay.h"
+#include "ui/transport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +45,7 @@ renderer::ViewCamera renderer_camera(const ui::ViewCamera& camera)
 
 bool same_picture(const renderer::PictureRequest& a, const renderer::PictureRequest& b)
 {
-    return a.program == b.program && a.frame == b.frame && a.view == b.view && a.stereo == b.stereo;
+    return a.program == b.program && a.frame == b.frame && a.display == b.display && a.exposure == b.exposure;
 }
 
 // "CPU", or "GPU" with the driver's own name for it.
@@ -97,15 +100,19 @@ Workbench::Workbench(const WorkbenchOptions& options)
     if (!options.recording.empty()) window_.input.start_recording();
     editor_.rects.listening = script_ || !options.places.empty();
     readings_.export_targets = codegen::export_targets();
-    readings_.view_names = renderer::view_names();
-    readings_.stereo_names = renderer::stereo_names();
+    fill_choices(readings_);
     // While the window is drawn, the open group stands in the scene's place.
     readings_.node_at = [this](int x, int y) {
         std::vector<graph::NodeId> path = graph::path_of(scene_.program()->inner_copies, picture_.node_at(x, y));
         return graph::shown_on(path, session_.document().root);
     };
     readings_.depth_at = [this](int x, int y) { return picture_.depth_at(x, y); };
+    readings_.depth_range = [this] { return picture_.depth_range(); };
     readings_.bounds_of = [this](graph::NodeId node) { return scene_.bounds_of(node); };
+    readings_.font_families = [this]() -> const std::vector<std::string>& {
+        if (font_families_.empty()) font_families_ = assets::installed_families();
+        return font_families_;
+    };
     readings_.blend_of = [this](graph::NodeId node) {
         return scene_.blend_of(node, static_cast<float>(editor_.view.time_s));
     };
@@ -228,7 +235,7 @@ void Workbench::frame()
     hurried_ = false;
     frames_owed_ = std::max(frames_owed_ - 1, 0);
     ui::ViewState& view = editor_.view;
-    if (view.playing) view.time_s = std::fmod(view.time_s + passed, std::max(view.loop_s, 0.1));
+    if (view.playing) ui::play_on(view, session_.document().animation, passed);
     readings_.frames_per_second = readings_.frames_per_second * 0.9 + 0.1 / std::max(passed, 1e-4);
 
     window_.begin_frame();
@@ -335,6 +342,13 @@ void Workbench::fill_readings()
     readings_.dialog_open = dialog_.is_open();
     readings_.time_s = editor_.view.time_s;
     readings_.has_camera = scene_.has_camera();
+    ray_.follow(scene_.program(), static_cast<float>(editor_.view.time_s));
+    readings_.ray = ray_.reading();
+    readings_.node_costs = node_costs_.costs();
+    bool shows_cost = editor_.view.panes.shown && editor_.view.panel == ui::Panel::cost;
+    if (shows_cost && requested_ && picture_.of_rays())
+        steps_texture_.show(picture_.of_rays(), requested_->display, requested_->program->march.step_limit);
+    readings_.steps_picture = shows_cost ? steps_texture_.reading() : ui::StepsPicture{};
     window_.rename(session_.title() + " - Fieldwright");
 }
 
@@ -346,15 +360,19 @@ bool Workbench::take_result()
     frames_owed_ = std::max(frames_owed_, 2);  // the second for what follows from the first: a statistic, a legend
     ui::PictureReading& reading = readings_.picture;
     if (auto* drawn = std::get_if<renderer::DrawnPicture>(&*result)) {
-        picture_.show(drawn->picture, drawn->frame);
+        picture_.show(drawn->picture, drawn->frame, drawn->of_slice);
         shown_generation_ = drawn->generation;
         if (awaited_generation_ && shown_generation_ >= awaited_generation_) awaited_generation_ = 0, hurried_ = true;
         reading.full = drawn->final;
+        reading.samples = drawn->samples;
         reading.draw_ms = static_cast<float>(drawn->ms);
         reading.mean_steps = static_cast<float>(drawn->steps.mean);
+        reading.p99_steps = drawn->steps.p99;
         reading.max_steps = drawn->steps.largest;
+        reading.fighting_share = drawn->fighting_share;
+        reading.evaluations = static_cast<double>(drawn->steps.evaluations);
         reading.exhausted_share = static_cast<float>(drawn->steps.exhausted);
-        if (drawn->final && picture_wanted_) export_picture(*std::exchange(picture_wanted_, std::nullopt));
+        if (picture_finished() && picture_wanted_) export_picture(*std::exchange(picture_wanted_, std::nullopt));
     } else if (auto* failed = std::get_if<renderer::CompileFailed>(&*result)) {
         compile_error_ = failed->log;
         refused_generation_ = failed->generation;
@@ -372,6 +390,13 @@ void Workbench::forget_refusal()
     touch();
 }
 
+// In full, and with all of its samples.
+bool Workbench::picture_finished() const
+{
+    const ui::PictureReading& picture = readings_.picture;
+    return picture.full && picture.samples >= picture.samples_wanted && shown_generation_ == asked_generation();
+}
+
 // Whether another scene is asked for, by a hand that is done.
 bool Workbench::request_picture(bool hands_moving)
 {
@@ -385,6 +410,7 @@ bool Workbench::request_picture(bool hands_moving)
     bool edited = !request.interacting && (!requested_ || requested_->program != request.program);
     request.generation = requested_ ? requested_->generation + 1 : 1;
     requested_ = request;
+    readings_.picture.samples_wanted = renderer::wanted_samples(request);
     render_thread_.request(request);
     return edited;
 }
@@ -394,15 +420,13 @@ renderer::PictureRequest Workbench::wanted_picture() const
     const ui::ViewState& view = editor_.view;
     renderer::PictureRequest request;
     request.program = scene_.program();
-    request.frame.width = editor_.viewport_size_px().x;
-    request.frame.height = editor_.viewport_size_px().y;
     request.frame.time = static_cast<float>(view.time_s);
-    request.frame.interaxial = view.interaxial;
-    request.frame.convergence = view.convergence;
     if (!view.through_camera || !scene_.has_camera()) request.frame.camera = renderer_camera(view.camera);
-    request.view = renderer::view_from_name(view.view).value_or(renderer::View::beauty);
-    if (ui::has_stereo(view.view))
-        request.stereo = renderer::stereo_from_name(view.stereo).value_or(renderer::Stereo::off);
+    const graph::PictureSettings& settings = session_.document().picture;
+    request.exposure = renderer::exposure_of(settings);
+    request.exposure.checkered = true;
+    request.display.look = renderer::look_of(settings);
+    set_display(request, view, readings_, editor_.viewport_size_px());
     return request;
 }
 
@@ -410,10 +434,11 @@ renderer::PictureRequest Workbench::wanted_picture() const
 void Workbench::scene_replaced()
 {
     lower_scene();
+    ray_.forget();
     compile_error_.clear();
     editor_.view.selection.clear();
     editor_.view.way.clear();
-    editor_.view.time_s = 0;
+    ui::go_to_frame(editor_.view, session_.document().animation, session_.document().animation.first_frame);
     editor_.view.playing = false;
     show_view();
     touch();

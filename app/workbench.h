@@ -6,13 +6,16 @@
 #include "app/examples.h"
 #include "app/folder_watch.h"
 #include "app/group_library.h"
+#include "app/inspected_ray.h"
 #include "app/native_dialog.h"
+#include "app/node_costs.h"
 #include "app/picture_shelf.h"
 #include "app/recent_files.h"
 #include "app/script.h"
 #include "app/session.h"
 #include "app/shown_picture.h"
 #include "app/shown_scene.h"
+#include "app/steps_texture.h"
 #include "app/user_folders.h"
 #include "app/window.h"
 #include "app/window_state.h"
@@ -76,6 +79,7 @@ private:
     void forget_refusal();
     bool request_picture(bool hands_moving);
     bool follow(const ui::Editor::Output& output, double frame_start_s);
+    bool picture_finished() const;
     renderer::PictureRequest wanted_picture() const;
     void perform(const ui::Request& request);
     void choose(const ui::ChooseFile& request);
@@ -88,6 +92,8 @@ private:
     void save(const std::optional<std::filesystem::path>& path);
     void export_shader(const ui::ExportFile& request);
     void export_picture(const std::filesystem::path& path);
+    void measure_nodes();
+    void inspect_ray(const ui::InspectRay& request);
     void save_group(const ui::SaveGroup& request);
     void list_groups();
     void list_recoverable();
@@ -118,7 +124,11 @@ private:
     renderer::RenderThread render_thread_;
     PictureShelf pictures_;
     ShownScene scene_{Window::wake};
+    std::vector<std::string> font_families_;  // empty until somebody asks
     ShownPicture picture_;
+    StepsTexture steps_texture_;
+    InspectedRay ray_;
+    NodeCostMeter node_costs_{Window::wake};
     ui::Editor editor_;
     ui::Readings readings_;
 
@@ -131,7 +141,7 @@ private:
     std::uint64_t refused_generation_ = 0;  // of the picture that compile_error_ is about
     bool quit_ = false;
     int frames_owed_ = 0;
-    double draw_s_ = 0;      // what drawing the window and showing it takes: of late, the worst
+    double draw_s_ = 0;     // what drawing the window and showing it takes: of late, the worst
     bool hurried_ = false;  // what the hand waits for is there: it is drawn at once
     double last_frame_s_ = 0, last_touch_s_ = 0, last_change_s_ = 0;
     std::optional<double> redraw_at_s_;  // the window looks different then, though nobody does anything

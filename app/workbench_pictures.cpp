@@ -2,13 +2,14 @@
 #include "app/workbench.h"
 
 #include "app/picture_paths.h"
+#include "graph/picture_scene.h"
 
 namespace fieldwright::app {
 
-// A picture becomes a shape of the scene.
+// A picture becomes a shape of the scene, unless it keeps a scene of its own.
 void Workbench::take_dropped(const std::filesystem::path& file)
 {
-    if (is_picture_name(file)) editor_.ask(ui::UsePicture{file.string(), {}});
+    if (is_picture_name(file) && !graph::holds_scene(file)) editor_.ask(ui::UsePicture{file.string(), {}});
     else editor_.ask(ui::OpenFile{file.string()});
 }
 
@@ -38,8 +39,27 @@ void Workbench::use_picture(const ui::UsePicture& request)
     touch();
 }
 
+void Workbench::measure_nodes()
+{
+    const graph::Document& document = session_.document();
+    node_costs_.measure({document, session_.library(),
+                         pictures_.images(graph::image_requests(document, *session_.library()), session_.folder()),
+                         wanted_picture().frame});
+    touch();
+}
+
+void Workbench::inspect_ray(const ui::InspectRay& request)
+{
+    if (!requested_) return;
+    glm::ivec2 size = picture_.size(), frame(requested_->frame.width, requested_->frame.height);
+    glm::ivec2 pixel = glm::ivec2(request.x, request.y) * frame / glm::max(size, glm::ivec2(1));
+    attempt([&] { ray_.choose(*scene_.program(), requested_->frame, pixel); });
+    touch();
+}
+
 void Workbench::lower_scene()
 {
+    node_costs_.forget();
     const graph::Document& document = session_.document();
     scene_.update(document, session_.library(),
                   pictures_.images(graph::image_requests(document, *session_.library()), session_.folder()));

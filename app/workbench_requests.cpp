@@ -58,6 +58,8 @@ void Workbench::perform(const ui::Request& request)
     if (auto* written = std::get_if<ui::TrustCode>(&request)) trust({{written->type, written->text}});
     if (std::holds_alternative<ui::AllowSceneCode>(request)) trust(review_.foreign(session_.document()));
     if (auto* node = std::get_if<ui::SaveOwnNode>(&request)) save_own_node(node->type);
+    if (std::holds_alternative<ui::MeasureNodes>(request)) measure_nodes();
+    if (auto* ray = std::get_if<ui::InspectRay>(&request)) inspect_ray(*ray);
     if (std::holds_alternative<ui::Quit>(request)) quit_ = true;
 }
 
@@ -212,7 +214,7 @@ void Workbench::export_shader(const ui::ExportFile& request)
 // A picture still being drawn is written once it is finished.
 void Workbench::export_picture(const std::filesystem::path& path)
 {
-    if (!readings_.picture.full) {
+    if (!picture_finished()) {
         picture_wanted_ = path;
         return say("The picture is written when it is finished");
     }

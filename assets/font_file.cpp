@@ -34,6 +34,8 @@ std::string lower(std::string text)
 struct Destroy {
     void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
     void operator()(FcConfig* config) const { FcConfigDestroy(config); }
+    void operator()(FcObjectSet* names) const { FcObjectSetDestroy(names); }
+    void operator()(FcFontSet* fonts) const { FcFontSetDestroy(fonts); }
 };
 using Pattern = std::unique_ptr<FcPattern, Destroy>;
 
@@ -71,6 +73,24 @@ FoundFile installed(const std::string& name)
 }
 
 }  // namespace
+
+std::vector<std::string> installed_families()
+{
+    std::unique_ptr<FcConfig, Destroy> config(FcInitLoadConfigAndFonts());
+    Pattern scalable(FcPatternCreate());
+    FcPatternAddBool(scalable.get(), FC_SCALABLE, FcTrue);
+    std::unique_ptr<FcObjectSet, Destroy> names(FcObjectSetBuild(FC_FAMILY, nullptr));
+    std::unique_ptr<FcFontSet, Destroy> fonts(FcFontList(config.get(), scalable.get(), names.get()));
+    std::vector<std::string> families;
+    for (int i = 0; fonts && i < fonts->nfont; ++i) {
+        FcChar8* family = nullptr;
+        if (FcPatternGetString(fonts->fonts[i], FC_FAMILY, 0, &family) == FcResultMatch)
+            families.emplace_back(reinterpret_cast<const char*>(family));
+    }
+    std::sort(families.begin(), families.end());
+    families.erase(std::unique(families.begin(), families.end()), families.end());
+    return families;
+}
 
 FontFile find_font(const std::string& font)
 {

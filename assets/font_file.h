@@ -18,4 +18,7 @@ struct FontFile {
 // `font` is a family as Fontconfig knows it, or the path of a file: what holds a / or ends in .ttf, .otf or .ttc.
 FontFile find_font(const std::string& font);
 
+// The families of scalable fonts that Fontconfig knows, by name, each once. May take a tenth of a second.
+std::vector<std::string> installed_families();
+
 }  // namespace fieldwright::assets

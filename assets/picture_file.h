@@ -20,6 +20,7 @@ struct Pixels {
 struct PictureQuestion {
     PixelScale scale = PixelScale::shown;
     int long_side = 0;  // larger pictures are averaged down to it, px; 0 = as large as they are
+    bool operator==(const PictureQuestion&) const = default;
 };
 
 inline constexpr std::int64_t picture_bytes_limit = std::int64_t(256) << 20;  // of a file

@@ -1,6 +1,7 @@
 // Whole shaders: the shading library, the scene part and a main function, in the order compilers need.
 #include "codegen/glsl.h"
 
+#include "codegen/features.h"
 #include "codegen/scene_printer.h"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ namespace fieldwright::codegen {
 namespace {
 
 // What every shader with a field needs; the rest is for shaders that draw pictures.
-constexpr const char* field_files[] = {"render/types.glsl", "render/program.glsl"};
-constexpr const char* picture_files[] = {"render/march.glsl", "render/shading.glsl", "render/stereo.glsl",
-                                         "render/view.glsl"};
+constexpr const char* types_file = "render/types.glsl";
+constexpr const char* field_files[] = {types_file, "render/program.glsl"};
+constexpr const char* eye_files[] = {"render/stereo.glsl", "render/view.glsl"};  // of devices; exports have one eye
 
 const char* const list_reader = R"(struct List {
     int first;
@@ -22,11 +23,34 @@ const char* const list_reader = R"(struct List {
 
 )";
 
-std::string library_texts(const graph::Program& program, std::span<const char* const> files)
+std::string library_texts(const graph::Program& program, std::span<const char* const> files,
+                          const graph::ShaderParts& parts)
 {
     std::string text;
-    for (const char* file : files) text += program.library->text(file) + "\n";
+    for (const char* file : files) text += graph::with_parts(program.library->text(file), parts) + "\n";
     return text;
+}
+
+// What traces and shades a pixel, but for the scene between the dialect's files and the last one.
+std::string shading_texts(const graph::Program& program, const Features& features)
+{
+    std::vector<const char*> files = {"render/march.glsl", "render/shading.glsl"};
+    if (features.bounces) files.push_back("render/bounce.glsl");
+    if (features.fog) files.push_back("render/fog.glsl");
+    return library_texts(program, files, shader_parts(features));
+}
+
+std::string pixel_text(const graph::Program& program, const Features& features)
+{
+    std::string text;
+    if (features.bounces) text += "const int BOUNCES = " + std::to_string(program.bounces) + ";\n\n";
+    return text + graph::with_parts(program.library->text("gpu/pixel.glsl"), shader_parts(features)) + "\n";
+}
+
+// As the shader declares them.
+std::vector<graph::StructDeclaration> structs(const graph::Program& program, const graph::ShaderParts& parts)
+{
+    return graph::parse_source(types_file, graph::with_parts(program.library->text(types_file), parts)).structs;
 }
 
 // Only scenes with formulas pay for them.
@@ -60,21 +84,35 @@ std::string device_inputs(const graph::Program& program, bool reads_block)
            "    return texelFetch(list_texture, list.first + index);\n}\n\n";
 }
 
-std::string device_shader(const graph::Program& program, std::span<const float> block, Placement placement,
-                          bool picture, std::string_view main_file)
+// The march that a device sets, with the program's structure in it as constants: compilers leave out what it does not use.
+std::string march_structure(const graph::Program& program, const Features& features)
 {
-    ScenePrinter printer(program, block, placement);
+    auto set = [](const char* member, bool on) {
+        return "    march." + std::string(member) + (on ? " = 1;\n" : " = 0;\n");
+    };
+    return "March scene_march(March march)\n{\n" + set("bisects", features.bisects) +
+           set("central_normals", program.march.central_normals) +
+           set("smallest_occlusion", program.occlusion.smallest_ratio) + set("tracks_cone", features.cones) +
+           (program.march.own_step_scale ? "" : "    march.step_scale = 1.0;\n") +
+           "    return march;\n}\n\n";
+}
+
+std::string device_shader(const graph::Program& program, std::span<const float> block, Placement placement,
+                          const Features& features, bool picture, std::string_view main_file)
+{
+    const graph::ShaderParts parts = shader_parts(features);
+    ScenePrinter printer(program, block, placement, structs(program, parts));
     std::string scene = printer.scene_functions();
     std::string text;
     text.reserve(scene.size() + (64u << 10));
-    text += "#version 330\n\n" + device_inputs(program, printer.reads_block());
-    text += library_texts(program, field_files);
-    if (picture) text += library_texts(program, picture_files);
+    text += "#version 330\n\n" + parts_comment(parts) + device_inputs(program, printer.reads_block());
+    text += library_texts(program, field_files, parts);
+    if (picture) text += shading_texts(program, features) + library_texts(program, eye_files, parts);
     text += formula_texts(program);
     text += printer.node_functions();
     text += scene;
-    if (picture) text += program.library->text("gpu/pixel.glsl") + "\n";
-    text += program.library->text(main_file);
+    if (picture) text += march_structure(program, features) + pixel_text(program, features);
+    text += graph::with_parts(program.library->text(main_file), parts);
     return text;
 }
 
@@ -112,13 +150,44 @@ std::string export_lists(const graph::Program& program)
 std::string march_constants(const graph::Program& program)
 {
     const graph::MarchSettings& march = program.march;
-    return "// Marching: step limit, minimum step, tolerance, near, far, out of steps hits, occlusion strength and "
-           "radius.\n"
+    const graph::OcclusionSettings& occlusion = program.occlusion;
+    auto flag = [](bool on) { return on ? ", 1" : ", 0"; };
+    return "// Marching: step limit, minimum step, tolerance, near, far, out of steps hits, step scale, constant step, "
+           "normal step;\n// occlusion samples, strength and radius; bisects, central normals, smallest occlusion, "
+           "tracks cone.\n"
            "const March MARCH = March(" +
            std::to_string(march.step_limit) + ", " + number(march.minimum_step) + ", " + number(march.tolerance) +
-           ", " + number(march.near) + ", " + number(march.far) + ", " + (march.out_of_steps_hits ? "1" : "0") + ", " +
-           number(program.occlusion.strength) + ", " + number(program.occlusion.radius) +
+           ", " + number(march.near) + ", " + number(march.far) + flag(march.out_of_steps_hits) + ", " +
+           number(graph::step_scale(march)) + ", " + number(march.constant_step) + ", " + number(march.normal_step) +
+           ", " + std::to_string(occlusion.samples) + ", " + number(occlusion.strength) + ", " +
+           number(occlusion.radius) + flag(march.constant_steps) + flag(march.central_normals) +
+           flag(occlusion.smallest_ratio) + flag(graph::tracks_cone(program)) +
            ");\nconst int STEP_BUDGET = " + std::to_string(program.step_budget) + ";\n\n";
+}
+
+// How its pixels are shown. Only scenes with a look of their own pay for it.
+std::string look_texts(const graph::Program& program, const graph::PictureSettings& picture)
+{
+    bool plain =
+        picture.tone_map == graph::ToneMap::none && picture.exposure == 0 && picture.backdrop == graph::Backdrop::sky;
+    if (plain) return program.library->text("export/plain.glsl") + "\n";
+    bool coloured = picture.backdrop == graph::Backdrop::colour;
+    glm::vec3 colour = coloured ? picture.backdrop_colour : glm::vec3(0);
+    return "// Tone map: 1 Neutral, 2 AgX, 3 ACES. Backdrop: 1 a colour, 2 transparent. Exposure in stops.\n"
+           "const int TONE_MAP = " +
+           std::to_string(static_cast<int>(picture.tone_map)) +
+           ";\nconst float EXPOSURE = " + number(picture.exposure) +
+           ";\nconst int BACKDROP = " + std::to_string(static_cast<int>(picture.backdrop)) +
+           ";\nconst vec3 BACKDROP_COLOUR = vec3(" + number(colour.x) + ", " + number(colour.y) + ", " +
+           number(colour.z) + ");\n\n" + program.library->text("render/tone_map.glsl") + "\n" +
+           program.library->text("export/look.glsl") + "\n";
+}
+
+std::string fog_constant(const graph::FogSettings& fog)
+{
+    return "// Fog: colour, density, start, height falloff.\nconst Fog FOG = Fog(vec3(" + number(fog.colour.r) + ", " +
+           number(fog.colour.g) + ", " + number(fog.colour.b) + "), " + number(fog.density) + ", " + number(fog.start) +
+           ", " + number(fog.height_falloff) + ");\n\n";
 }
 
 std::map<graph::NodeId, std::string> safe_names(const graph::Document& document,
@@ -138,19 +207,22 @@ std::map<graph::NodeId, std::string> safe_names(const graph::Document& document,
 
 std::string print_scene(const graph::Program& program, std::span<const float> block, Placement placement)
 {
-    ScenePrinter printer(program, block, placement);
-    return library_texts(program, field_files) + formula_texts(program) + printer.node_functions() +
+    const graph::ShaderParts parts = shader_parts(features_of(program, block));
+    ScenePrinter printer(program, block, placement, structs(program, parts));
+    return library_texts(program, field_files, parts) + formula_texts(program) + printer.node_functions() +
            printer.scene_functions();
 }
 
-std::string print_fragment_shader(const graph::Program& program, std::span<const float> block, Placement placement)
+std::string print_fragment_shader(const graph::Program& program, std::span<const float> block, Placement placement,
+                                  bool layers)
 {
-    return device_shader(program, block, placement, true, "gpu/main.glsl");
+    const Features features = features_of(program, block, layers);
+    return device_shader(program, block, placement, features, true, "gpu/main.glsl");
 }
 
 std::string print_distance_shader(const graph::Program& program, std::span<const float> block, Placement placement)
 {
-    return device_shader(program, block, placement, false, "gpu/distances.glsl");
+    return device_shader(program, block, placement, features_of(program, block), false, "gpu/distances.glsl");
 }
 
 const std::vector<std::string>& export_targets()
@@ -171,7 +243,9 @@ std::string print_export(const graph::Program& program, const graph::Document& d
                          std::string_view target)
 {
     std::map<graph::NodeId, std::string> names = safe_names(document, program.inner_copies);
-    ScenePrinter printer(program, block, Placement::literals, [&](graph::NodeId id) {
+    const Features features = features_of(program, block);
+    const graph::ShaderParts parts = shader_parts(features);
+    ScenePrinter printer(program, block, Placement::literals, structs(program, parts), [&](graph::NodeId id) {
         auto found = names.find(id);
         return found == names.end() ? std::string("node") : found->second;
     });
@@ -183,12 +257,13 @@ std::string print_export(const graph::Program& program, const graph::Document& d
     else text += "// Made with Fieldwright for Shadertoy: paste into the Image tab.\n\nfloat time;\n\n";
     std::string nodes = printer.node_functions();
     if (nodes.find("List ") != std::string::npos) text += export_lists(program);
-    text += library_texts(program, field_files);
-    for (const char* file : {"render/march.glsl", "render/shading.glsl", "render/views.glsl"})
-        text += program.library->text(file) + "\n";
-    text += formula_texts(program) + nodes + march_constants(program) + frame + scene;
-    text += program.library->text("gpu/pixel.glsl") + "\n";
-    return text + program.library->text(target == "glsl" ? "export/glsl.glsl" : "export/shadertoy.glsl");
+    text += library_texts(program, field_files, parts) + shading_texts(program, features);
+    text += program.library->text("render/views.glsl") + "\n";
+    text += formula_texts(program) + nodes + march_constants(program);
+    if (features.fog) text += fog_constant(program.fog);
+    text += frame + scene + pixel_text(program, features) + look_texts(program, document.picture);
+    const char* main_file = target == "glsl" ? "export/glsl.glsl" : "export/shadertoy.glsl";
+    return text + graph::with_parts(program.library->text(main_file), parts);
 }
 
 }  // namespace fieldwright::codegen

@@ -14,13 +14,15 @@ enum class Placement {
 };
 
 // The scene part: the shading library's types, the node functions used, then scene_distance(vec3 p), scene_surface(vec3 p) -> Surface,
-// scene_ray(vec2 uv) -> Ray, scene_sky(vec3 direction) -> vec3, scene_light(int index, vec3 p) -> Light,
-// LIGHT_COUNT and SHADOW_COUNT (shadowed lights come first). `block` is field::evaluate_frame's (literals are read
+// scene_ray(vec2 uv, vec2 lens) -> Ray, scene_sky(vec3 direction, float spread) -> vec3, scene_light(int index, vec3 p) -> Light,
+// scene_shadow(int index) -> int, LIGHT_COUNT and SHADOW_COUNT (shadowed lights come first). `block` is field::evaluate_frame's (literals are read
 // from it). Deterministic. The result is also C++ of the dialect when there are no lists or frame values.
 std::string print_scene(const graph::Program& program, std::span<const float> block, Placement placement);
 
-// The fragment shader of the GPU device (`#version 330`): pictures into three buffers (shaders/gpu/main.glsl).
-std::string print_fragment_shader(const graph::Program& program, std::span<const float> block, Placement placement);
+// The fragment shader of the GPU device (`#version 330`): pictures into three buffers, or with layers into eight
+// (shaders/gpu/main.glsl).
+std::string print_fragment_shader(const graph::Program& program, std::span<const float> block, Placement placement,
+                                  bool layers = false);
 // The fragment shader that writes one distance per pixel (shaders/gpu/distances.glsl).
 std::string print_distance_shader(const graph::Program& program, std::span<const float> block, Placement placement);
 

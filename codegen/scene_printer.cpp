@@ -40,8 +40,12 @@ void append_float(std::string& out, float number)
 }
 
 ScenePrinter::ScenePrinter(const graph::Program& program, std::span<const float> block, Placement placement,
-                           NodeName node_name)
-    : program_(program), block_(block), placement_(placement), node_name_(std::move(node_name))
+                           std::vector<graph::StructDeclaration> structs, NodeName node_name)
+    : program_(program),
+      block_(block),
+      placement_(placement),
+      structs_(std::move(structs)),
+      node_name_(std::move(node_name))
 {
 }
 
@@ -103,18 +107,30 @@ std::string ScenePrinter::scene_functions()
     function("Surface", "scene_surface", program_.surface);
     function("Ray", "scene_ray", program_.ray);
     function("vec3", "scene_sky", program_.sky);
-    int shadows = 0;
     std::string choose = "Light scene_light(int index, vec3 p)\n{\n";
     for (std::size_t i = 0; i < program_.lights.size(); ++i) {
         std::string name = "scene_light_" + std::to_string(i);
         function("Light", name, program_.lights[i].entry);
         choose += "    if (index == " + std::to_string(i) + ") return " + name + "(p);\n";
-        shadows += program_.lights[i].shadow ? 1 : 0;
     }
-    choose += "    return Light(vec3(0.0f, 1.0f, 0.0f), 0.0f, vec3(0.0f, 0.0f, 0.0f));\n}\n\n";
-    functions_ += choose + "const int LIGHT_COUNT = " + std::to_string(program_.lights.size()) +
-                  ";\nconst int SHADOW_COUNT = " + std::to_string(shadows) + ";\n\n";
+    choose += "    return Light(vec3(0.0f, 1.0f, 0.0f), 0.0f, vec3(0.0f, 0.0f, 0.0f), 1.0f);\n}\n\n";
+    functions_ += choose + shadow_kinds() + "const int LIGHT_COUNT = " + std::to_string(program_.lights.size()) +
+                  ";\nconst int SHADOW_COUNT = " + std::to_string(graph::shadow_count(program_)) + ";\n\n";
     return std::move(functions_);
+}
+
+// Of the shadowed lights. Where all are alike, compilers see one constant.
+std::string ScenePrinter::shadow_kinds() const
+{
+    auto kind = [](graph::Shadow shadow) { return std::to_string(static_cast<int>(shadow)); };
+    graph::Shadow usual = program_.lights.empty() ? graph::Shadow::hard : program_.lights.front().shadow;
+    std::string text = "int scene_shadow(int index)\n{\n";
+    for (std::size_t i = 0; i < program_.lights.size(); ++i) {
+        graph::Shadow shadow = program_.lights[i].shadow;
+        if (shadow == usual || shadow == graph::Shadow::off) continue;
+        text += "    if (index == " + std::to_string(i) + ") return " + kind(shadow) + ";\n";
+    }
+    return text + "    return " + kind(usual) + ";\n}\n\n";
 }
 
 std::string ScenePrinter::frame_globals()
@@ -368,7 +384,8 @@ void ScenePrinter::name(std::string& out, ValueId id) const
 {
     const graph::ProgramValue& named = value(id);
     std::string_view word = named.name ? named.name : "";
-    if (word == "p" || word == "uv" || word == "direction" || word == "time") {
+    constexpr std::string_view inputs[] = {"p", "uv", "lens", "direction", "spread", "time"};
+    if (std::find(std::begin(inputs), std::end(inputs), word) != std::end(inputs)) {
         out += word;
         return;
     }
@@ -393,6 +410,25 @@ void ScenePrinter::reference(std::string& out, ValueId id)
     reads_block_ = true;
     std::int32_t slot = read.slot;
     block_read(out, *read.type, slot);
+}
+
+// A structure's constructor. What the shader leaves out is passed over: print(text, type) is called for it all the same.
+template <typename Print>
+void ScenePrinter::members(std::string& out, const graph::Type& type, const Print& print) const
+{
+    auto named = [&](const graph::StructDeclaration& declared) { return declared.name == type.name; };
+    const auto& all = program_.library->structs();
+    auto whole = std::find_if(all.begin(), all.end(), named);
+    auto printed = std::find_if(structs_.begin(), structs_.end(), named);
+    std::string left_out, separator;
+    out += type.name + "(";
+    for (const auto& member : whole->members) {
+        bool is_printed = std::any_of(printed->members.begin(), printed->members.end(),
+                                      [&](const auto& known) { return known.name == member.name; });
+        if (is_printed) out += std::exchange(separator, ", ");
+        print(is_printed ? out : left_out, member.type);
+    }
+    out += ')';
 }
 
 void ScenePrinter::literal(std::string& out, const graph::Type& type, const float*& lanes) const
@@ -423,15 +459,7 @@ void ScenePrinter::literal(std::string& out, const graph::Type& type, const floa
             return;
         case BaseType::structure: break;
     }
-    out += type.name + "(";
-    for (const graph::StructDeclaration& declared : program_.library->structs()) {
-        if (declared.name != type.name) continue;
-        for (std::size_t i = 0; i < declared.members.size(); ++i) {
-            if (i > 0) out += ", ";
-            literal(out, declared.members[i].type, lanes);
-        }
-    }
-    out += ')';
+    members(out, type, [&](std::string& text, const graph::Type& member) { literal(text, member, lanes); });
 }
 
 void ScenePrinter::block_read(std::string& out, const graph::Type& type, std::int32_t& slot)
@@ -472,15 +500,7 @@ void ScenePrinter::block_read(std::string& out, const graph::Type& type, std::in
             return;
         case BaseType::structure: break;
     }
-    out += type.name + "(";
-    for (const graph::StructDeclaration& declared : program_.library->structs()) {
-        if (declared.name != type.name) continue;
-        for (std::size_t i = 0; i < declared.members.size(); ++i) {
-            if (i > 0) out += ", ";
-            block_read(out, declared.members[i].type, slot);
-        }
-    }
-    out += ')';
+    members(out, type, [&](std::string& text, const graph::Type& member) { block_read(text, member, slot); });
 }
 
 }  // namespace fieldwright::codegen

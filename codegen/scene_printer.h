@@ -13,12 +13,13 @@ public:
     // Empty names: identifiers n<node>_<value>. Else `name(node)` begins each identifier (exports).
     using NodeName = std::function<std::string(graph::NodeId)>;
 
+    // `structs`: as the shader declares them, which may be with fewer members than the library's.
     ScenePrinter(const graph::Program& program, std::span<const float> block, Placement placement,
-                 NodeName node_name = {});
+                 std::vector<graph::StructDeclaration> structs, NodeName node_name = {});
 
     // Constants and functions of node files that the program calls, callees first.
     std::string node_functions() const;
-    // scene_distance, scene_surface, scene_ray, scene_sky, scene_light and the light counts.
+    // scene_distance, scene_surface, scene_ray, scene_sky, scene_light, scene_shadow and the light counts.
     std::string scene_functions();
     // Exports only: frame values as globals and `void update_frame()`, which computes them.
     std::string frame_globals();
@@ -36,6 +37,7 @@ private:
         std::vector<graph::ValueId> inputs, outputs;
     };
 
+    std::string shadow_kinds() const;
     void function(std::string_view result_type, std::string_view name, const graph::Entry& entry);
     std::string entry_result(const graph::Entry& entry, std::string_view result_type);
     std::vector<Item> items(std::int32_t first, std::int32_t last) const;
@@ -58,12 +60,15 @@ private:
     void reference(std::string& out, graph::ValueId value);
     void literal(std::string& out, const graph::Type& type, const float*& lanes) const;
     void block_read(std::string& out, const graph::Type& type, std::int32_t& slot);
+    template <typename Print>
+    void members(std::string& out, const graph::Type& type, const Print& print) const;
     const graph::ProgramValue& value(graph::ValueId id) const { return program_.values[static_cast<std::size_t>(id)]; }
     bool in_block(graph::ValueId id) const { return value(id).rate != graph::Rate::point; }
 
     const graph::Program& program_;
     std::span<const float> block_;
     Placement placement_;
+    std::vector<graph::StructDeclaration> structs_;
     NodeName node_name_;
     std::string functions_;  // finished functions, parts before their callers
     int part_count_ = 0;

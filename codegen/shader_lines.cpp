@@ -1,5 +1,8 @@
-// Printed shaders hold functions and files verbatim, so a line is found where the text around it is.
+// Printed shaders hold functions, and files but for the parts they do not need, verbatim: a line is found where the text
+// around it is.
 #include "codegen/shader_lines.h"
+
+#include "codegen/features.h"
 
 #include <algorithm>
 #include <regex>
@@ -30,8 +33,10 @@ std::optional<std::string> place_of_line(const graph::Library& library, std::str
         for (const graph::Function& function : type->source.functions)
             if (auto within = line_within(function.text, shader, line))
                 return type->source.path + ":" + std::to_string(function.line + *within);
+    const graph::ShaderParts parts = parts_of_shader(shader);
     for (const graph::SourceFile& file : library.render_files())
-        if (auto within = line_within(file.text, shader, line)) return file.path + ":" + std::to_string(1 + *within);
+        if (auto within = line_within(graph::with_parts(library.text(file.path), parts), shader, line))
+            return file.path + ":" + std::to_string(graph::line_of_whole(library.text(file.path), parts, 1 + *within));
     return std::nullopt;
 }
 

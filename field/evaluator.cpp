@@ -2,6 +2,7 @@
 #include "field/evaluator.h"
 
 #include "field/single_arguments.h"
+#include "field/steps.h"
 
 #include <algorithm>
 #include <array>
@@ -38,11 +39,12 @@ bool is_built_in(const Program& program, const graph::Function& function)
     return built_in != graph::embedded_texts().end() && built_in->second == program.library->text(function.file);
 }
 
-const KernelEntry& kernel_of(const KernelTable& table, const Program& program, const Instruction& instruction)
+const KernelEntry& kernel_of(const KernelTable& table, const Program& program, const graph::Function& function,
+                             graph::NodeId node)
 {
-    const KernelEntry* kernel = find_kernel(table, instruction.function->name);
-    if (!kernel || !is_built_in(program, *instruction.function))
-        throw graph::Failure(1, "node " + std::to_string(instruction.node.number) + " (" + instruction.function->name +
+    const KernelEntry* kernel = find_kernel(table, function.name);
+    if (!kernel || !is_built_in(program, function))
+        throw graph::Failure(1, "node " + std::to_string(node.number) + " (" + function.name +
                                     ") is not compiled into this program; render it with --device gpu or rebuild");
     return *kernel;
 }
@@ -52,12 +54,13 @@ class KernelFinder {
 public:
     KernelFinder(const KernelTable& table, const Program& program) : table_(table), program_(program) {}
 
-    const KernelEntry& operator()(const Instruction& instruction)
+    const KernelEntry& operator()(const graph::Function& function, graph::NodeId node)
     {
-        auto [found, added] = found_.try_emplace(instruction.function, nullptr);
-        if (added) found->second = &kernel_of(table_, program_, instruction);
+        auto [found, added] = found_.try_emplace(&function, nullptr);
+        if (added) found->second = &kernel_of(table_, program_, function, node);
         return *found->second;
     }
+    const KernelEntry& operator()(const Instruction& call) { return (*this)(*call.function, call.node); }
 
 private:
     const KernelTable& table_;
@@ -74,13 +77,14 @@ public:
           program_(program),
           entry_(entry),
           kernel_of_(table, program),
-          values_(program.values.size())
+          values_(program.values.size()),
+          plan_(plan_of(program, entry)),
+          steps_(plan_.steps)
     {
     }
 
     void compile()
     {
-        list_steps();
         find_last_uses();
         for (ValueId input : entry_.inputs) {
             take_rows(input);
@@ -94,11 +98,6 @@ public:
     }
 
 private:
-    // The order in which instructions run, ends of blocks included: the time in which values live.
-    struct Step {
-        enum class Kind { call, begin_block, end_block } kind;
-        const Instruction* instruction;
-    };
     struct Life {
         int row = -1;                           // first row, while the value has rows
         int counter = -1;                       // of a block's copy value
@@ -112,24 +111,6 @@ private:
     bool in_block(ValueId id) const { return value_of(program_, id).rate != graph::Rate::point; }
     bool has_rows(ValueId id) { return !in_block(id) && life(id).counter < 0; }
 
-    void list_steps()
-    {
-        std::vector<std::int32_t> open;  // blocks around the instruction
-        for (std::int32_t i = entry_.first; i < entry_.last; ++i) {
-            end_blocks_at(i, open);
-            const Instruction& instruction = program_.instructions[index(i)];
-            steps_.push_back({instruction.is_block() ? Step::Kind::begin_block : Step::Kind::call, &instruction});
-            if (instruction.is_block()) open.push_back(i);
-        }
-        end_blocks_at(entry_.last, open);
-    }
-
-    void end_blocks_at(std::int32_t i, std::vector<std::int32_t>& open)
-    {
-        for (; !open.empty() && program_.instructions[index(open.back())].body_end <= i; open.pop_back())
-            steps_.push_back({Step::Kind::end_block, &program_.instructions[index(open.back())]});
-    }
-
     // A value from outside a block that is used inside lives to the block's end: the body runs again.
     void find_last_uses()
     {
@@ -141,8 +122,9 @@ private:
             life(id).last_use = std::max(life(id).last_use, until);
         };
         for (int step = 0; step < static_cast<int>(steps_.size()); ++step) {
-            const Instruction& instruction = *steps_[index(step)].instruction;
-            switch (steps_[index(step)].kind) {
+            const Step& now = steps_[index(step)];
+            const Instruction& instruction = now.instruction ? *now.instruction : *guard_of(now).call;
+            switch (now.kind) {
                 case Step::Kind::call:
                     for (ValueId argument : arguments_of(program_, instruction)) use(argument, step);
                     life(instruction.result).born = life(instruction.result).last_use = step;
@@ -159,6 +141,11 @@ private:
                     for (const graph::Carried& pair : carried_of(program_, instruction)) use(pair.next, step);
                     open.pop_back();
                     break;
+                case Step::Kind::begin_guard:
+                    for (ValueId id : least_arguments(guard_of(now))) use(id, step);
+                    for (ValueId id : guard_of(now).rivals) use(id, step);
+                    break;
+                case Step::Kind::end_guard: break;
             }
         }
         int never = static_cast<int>(steps_.size());
@@ -230,14 +217,21 @@ private:
             case Step::Kind::call: emit_call(*step.instruction); break;
             case Step::Kind::begin_block: emit_begin(*step.instruction); break;
             case Step::Kind::end_block: emit_end(*step.instruction); break;
+            case Step::Kind::begin_guard: emit_begin_guard(guard_of(step)); break;
+            case Step::Kind::end_guard: emit_end_guard(guard_of(step)); break;
         }
     }
 
     void emit_call(const Instruction& instruction)
     {
-        const graph::Function& function = *instruction.function;
-        const KernelEntry& kernel = kernel_of_(instruction);
-        std::span<const ValueId> arguments = arguments_of(program_, instruction);
+        life(instruction.result).row = emit_call(*instruction.function, kernel_of_(instruction),
+                                                 arguments_of(program_, instruction), lanes(instruction.result));
+    }
+
+    // The rows of the result.
+    int emit_call(const graph::Function& function, const KernelEntry& kernel, std::span<const ValueId> arguments,
+                  int result_lanes)
+    {
         bool varying = false;
         for (std::size_t k = 0; k < arguments.size(); ++k)
             varying = varying || (has_rows(arguments[k]) && is_single(function, function.arguments[k]));
@@ -251,12 +245,13 @@ private:
             operands[k] =
                 single || has_rows(arguments[k]) ? place(arguments[k]) : spread_over_rows(arguments[k], spread);
         }
-        take_rows(instruction.result);
-        Operation call{Operation::Kind::call, varying ? kernel.varying : kernel.uniform, life(instruction.result).row};
+        int result = rows(result_lanes);
+        Operation call{Operation::Kind::call, varying ? kernel.varying : kernel.uniform, result};
         call.first_operand = static_cast<int>(evaluator_.operands_.size());
         for (std::size_t k = 0; k < arguments.size(); ++k) add_operand(operands[k]);
         evaluator_.operations_.push_back(call);
         for (auto [row, count] : spread) free_rows(count).push_back(row);
+        return result;
     }
 
     Operand place(ValueId id)
@@ -334,6 +329,37 @@ private:
         hoisted_.clear();
     }
 
+    const Guard& guard_of(const Step& step) const { return plan_.guards[index(step.guard)]; }
+
+    std::vector<ValueId> least_arguments(const Guard& guard) const
+    {
+        std::vector<ValueId> arguments;
+        for (const graph::Argument& argument : guard.least->arguments)
+            arguments.push_back(argument_named(program_, *guard.call, argument.name));
+        return arguments;
+    }
+
+    void emit_begin_guard(const Guard& guard)
+    {
+        int least = emit_call(*guard.least, kernel_of_(*guard.least, guard.call->node), least_arguments(guard), 1);
+        Operation begin{Operation::Kind::guard};
+        begin.first_operand = static_cast<int>(evaluator_.operands_.size());
+        begin.lanes = static_cast<int>(guard.rivals.size());
+        add_operand({Operand::Kind::rows, least});
+        for (ValueId rival : guard.rivals) add_operand(place(rival));
+        guarded_.push_back(evaluator_.operations_.size() - hoisted_.size());
+        evaluator_.operations_.push_back(begin);
+        free_rows(1).push_back(least);
+    }
+
+    void emit_end_guard(const Guard& guard)
+    {
+        std::size_t at = guarded_.back() + hoisted_.size();
+        guarded_.pop_back();
+        evaluator_.operations_[at].result = life(guard.guarded).row;
+        evaluator_.operations_[at].body = static_cast<int>(evaluator_.operations_.size() - at) - 1;
+    }
+
     // All pairs at once: a `next` that is another pair's accumulator is read before it changes.
     void fold(std::span<const graph::Carried> pairs)
     {
@@ -373,11 +399,13 @@ private:
     const graph::Entry& entry_;
     KernelFinder kernel_of_;
     std::vector<Life> values_;
-    std::vector<Step> steps_;
+    Plan plan_;
+    const std::vector<Step>& steps_;
     std::vector<ValueId> first_to_die_;         // by step
     std::vector<std::vector<int>> free_;        // first rows, by number of lanes
     std::vector<std::size_t> open_;             // operations at which the blocks being emitted begin
     std::vector<std::size_t> bodies_;           // their first operations, less those hoisted
+    std::vector<std::size_t> guarded_;          // operations of the guards being emitted, less those hoisted
     std::unordered_map<ValueId, int> hoisted_;  // values spread before the outermost block being emitted: first rows
 };
 
@@ -421,6 +449,22 @@ float Evaluator::copies(const Operation& end_of_block, std::span<const float> bl
     return end_of_block.needed < 0 ? all : std::min(all, block[index(end_of_block.needed)]);
 }
 
+namespace {
+
+// Whether at every point one of the rivals is as near as the least that a guard leaves possible.
+bool is_beaten(const float* least, const float* const* rivals, int rival_count, int count)
+{
+    int beaten = 0;
+    for (int i = 0; i < count; ++i) {
+        float nearest = rivals[0][i];
+        for (int k = 1; k < rival_count; ++k) nearest = rivals[k][i] < nearest ? rivals[k][i] : nearest;
+        beaten += nearest <= least[i] ? 1 : 0;
+    }
+    return beaten == count;
+}
+
+}  // namespace
+
 void Evaluator::evaluate(Workspace& workspace, std::span<const float> block, int count) const
 {
     assert(workspace.evaluator_ == this && count <= row_width);
@@ -445,6 +489,11 @@ void Evaluator::evaluate(Workspace& workspace, std::span<const float> block, int
             case Operation::Kind::end_block:
                 counters[operation->counter] += 1;
                 if (counters[operation->counter] < copies(*operation, block)) operation -= operation->body + 1;
+                break;
+            case Operation::Kind::guard:
+                if (!is_beaten(arguments[0], arguments + 1, operation->lanes, count)) break;
+                std::copy_n(arguments[0], count, result);
+                operation += operation->body;
                 break;
         }
     }

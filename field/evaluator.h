@@ -52,12 +52,12 @@ private:
         int at;  // first row, slot of the block, or counter
     };
     struct Operation {
-        enum class Kind { call, spread, copy, begin_block, end_block } kind;
+        enum class Kind { call, spread, copy, begin_block, end_block, guard } kind;
         Kernel kernel = nullptr;
-        int result = 0;                         // first row
-        int first_operand = 0;                  // of a call, spread or copy; the last two have one
-        int lanes = 0;                          // of a spread or copy
-        int counter = 0, copies = 0, body = 0;  // of blocks; body: operations from the body's first to the block's end
+        int result = 0;                         // first row; of a guard: that of what it may leave out
+        int first_operand = 0;                  // of all but blocks; a spread or copy has one
+        int lanes = 0;                          // of a spread or copy; of a guard: how many rivals it has
+        int counter = 0, copies = 0, body = 0;  // of blocks; body: how many operations, of guards as well
         int needed = -1;                        // of a block's end: slot of the number of copies that differ
     };
     class Compiler;

@@ -101,13 +101,23 @@ std::string list_declaration(int n, const std::string& count)
     return "    const List l" + name + "{list_data + int(" + argument + "[0]), " + count + "};\n";
 }
 
-// A loop that leaves off at the end of a list is vectorised when its end is known before it begins.
-std::string with_known_ends(const std::string& text)
+// A loop that leaves off at the end of a list is vectorised when its end is known before it begins, and runs over the
+// list itself: no index in it needs to be checked again.
+std::string with_known_ends(std::string text)
 {
     static const std::regex loop(
         R"(for \(int (\w+) = 0; \1 < (\d+); \1\+\+\) \{\s*if \(\1 >= (\w+)\.count\) \{\s*break;\s*\})");
-    return std::regex_replace(text, loop,
-                              "for (int $1 = 0, $1_end = $3.count < $2 ? $3.count : $2; $1 < $1_end; $1++) {");
+    std::set<std::pair<std::string, std::string>> walks;  // list, index
+    for (std::sregex_iterator match(text.begin(), text.end(), loop), end; match != end; ++match)
+        walks.emplace((*match)[3], (*match)[1]);
+    text =
+        std::regex_replace(text, loop, "for (int $1 = 0, $1_end = $3.count < $2 ? $3.count : $2; $1 < $1_end; $1++) {");
+    for (const auto& [list, index] : walks) {
+        bool walks_otherwise = text.find("for (int " + index + " = 0; ") != std::string::npos;
+        std::regex read("list_at\\(" + list + ", " + index + "\\)");
+        if (!walks_otherwise) text = std::regex_replace(text, read, list + ".data[" + index + "]");
+    }
+    return text;
 }
 
 std::string length_read(int n) { return "int(a" + std::to_string(n) + "[1])"; }

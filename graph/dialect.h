@@ -52,7 +52,9 @@ enum class Role {
     box_c,
     camera,
     sky,
-    steepest
+    steepest,
+    lens,
+    spread
 };
 
 struct Argument {
@@ -75,6 +77,8 @@ struct Function {
     int list_iterations = 0, list_loops = 0;
     int inlined_tokens = 0;  // of its body with those of called functions in their places; saturates at 1e9
     std::string file;        // for messages
+
+    const Argument* argument(std::string_view wanted) const;  // null when absent
 };
 
 // One parsed file. Order of declaration is kept.

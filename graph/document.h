@@ -35,14 +35,52 @@ struct MarchSettings {
     float tolerance = 0.0001f;    // m
     float near = 0.01f;           // m, along the ray
     float far = 100.0f;           // m, along the ray
+    float step_scale = 1.0f;      // of a step in distances, when it is the user's own
+    float constant_step = 0.05f;  // m, when steps are constant
+    float normal_step = 0.0f;     // m, from the hit to the taps for its normal; 0 fits it to the distance from the eye
     bool out_of_steps_hits = false;
+    bool own_step_scale = false;   // else distances are divided by the derived Lipschitz constants
+    bool constant_steps = false;   // with bisection; else sphere tracing
+    bool central_normals = false;  // six taps; else the four of a tetrahedron
     bool operator==(const MarchSettings&) const = default;
 };
 
 struct OcclusionSettings {
     float strength = 1.0f;  // 0 off .. 1
     float radius = 0.5f;    // m, along the normal
+    int samples = 5;
+    bool smallest_ratio = false;  // of distance and height; else the mean of the ratios
     bool operator==(const OcclusionSettings&) const = default;
+};
+
+enum class ToneMap { none, neutral, agx, aces };
+enum class Backdrop { sky, colour, transparent };
+
+// How what a scene's rays see becomes a picture.
+struct PictureSettings {
+    int samples = 16;                    // of a pixel
+    float shutter = 0;                   // s around its moment that a picture is exposed; 0 freezes what moves
+    ToneMap tone_map = ToneMap::none;    // of beauty, in pictures of 8 bits
+    float exposure = 0;                  // stops before tone mapping: each doubles the light
+    Backdrop backdrop = Backdrop::sky;   // what shows where rays meet nothing
+    glm::vec3 backdrop_colour{0, 0, 0};  // linear Rec.709
+    bool operator==(const PictureSettings&) const = default;
+};
+
+// Frame n shows the moment (n - 1) / frames_per_second, so that frame 1 is time 0.
+struct AnimationSettings {
+    int first_frame = 1, last_frame = 120;
+    float frames_per_second = 24;
+    bool operator==(const AnimationSettings&) const = default;
+};
+
+// What the air between things adds: the light of what is far away gives way to the fog's colour.
+struct FogSettings {
+    glm::vec3 colour{0.55f, 0.62f, 0.7f};  // linear Rec.709
+    float density = 0;                     // per m: share of the light lost over a short way; 0 is off
+    float start = 0;                       // m along the view, free of fog
+    float height_falloff = 0;              // per m above y = 0, by which the density falls; 0: the same everywhere
+    bool operator==(const FogSettings&) const = default;
 };
 
 struct Graph {
@@ -76,6 +114,10 @@ struct Document {
     std::int64_t next_id = 1;  // of nodes in all graphs
     MarchSettings march;
     OcclusionSettings occlusion;
+    PictureSettings picture;
+    AnimationSettings animation;
+    FogSettings fog;
+    int bounces = 0;                 // how often mirrors and glass send a ray on; 0: they show the sky at one look
     std::vector<OwnType> own_types;  // sorted by name, each once; their library is own_types.h's
     Graph root;
     std::vector<Group> groups;  // sorted by name; none contains itself

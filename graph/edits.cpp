@@ -311,6 +311,34 @@ Refusal set_occlusion(Document& document, const OcclusionSettings& settings)
     return std::nullopt;
 }
 
+Refusal set_picture(Document& document, const PictureSettings& settings)
+{
+    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
+    document.picture = settings;
+    return std::nullopt;
+}
+
+Refusal set_animation(Document& document, const AnimationSettings& settings)
+{
+    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
+    document.animation = settings;
+    return std::nullopt;
+}
+
+Refusal set_fog(Document& document, const FogSettings& settings)
+{
+    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
+    document.fog = settings;
+    return std::nullopt;
+}
+
+Refusal set_bounces(Document& document, int bounces)
+{
+    if (Refusal refusal = setting_refusal(bounces_error(bounces))) return refusal;
+    document.bounces = bounces;
+    return std::nullopt;
+}
+
 Refusal wire_error(const Document& document, const Library& library, NodeId source, NodeId target,
                    std::string_view socket)
 {
@@ -387,6 +415,10 @@ Refusal validate(const Document& document, const Library& library)
 {
     if (Refusal refusal = setting_refusal(setting_error(document.march))) return refusal;
     if (Refusal refusal = setting_refusal(setting_error(document.occlusion))) return refusal;
+    if (Refusal refusal = setting_refusal(setting_error(document.picture))) return refusal;
+    if (Refusal refusal = setting_refusal(setting_error(document.animation))) return refusal;
+    if (Refusal refusal = setting_refusal(setting_error(document.fog))) return refusal;
+    if (Refusal refusal = setting_refusal(bounces_error(document.bounces))) return refusal;
     auto names_unordered = [](const OwnType& a, const OwnType& b) { return a.name >= b.name; };
     const std::vector<OwnType>& types = document.own_types;
     if (std::adjacent_find(types.begin(), types.end(), names_unordered) != types.end())

@@ -36,6 +36,10 @@ Refusal move_node(Document& document, NodeId node, glm::vec2 position);
 Refusal set_muted(Document& document, NodeId node, bool muted);
 Refusal set_march(Document& document, const MarchSettings& settings);
 Refusal set_occlusion(Document& document, const OcclusionSettings& settings);
+Refusal set_picture(Document& document, const PictureSettings& settings);
+Refusal set_animation(Document& document, const AnimationSettings& settings);
+Refusal set_fog(Document& document, const FogSettings& settings);
+Refusal set_bounces(Document& document, int bounces);
 
 // Why a wire is not allowed in this document, or nothing. `connect` and the file reader share it (cycles excluded).
 Refusal wire_error(const Document& document, const Library& library, NodeId source, NodeId target,

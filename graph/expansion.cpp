@@ -98,12 +98,14 @@ public:
     }
 
 private:
+    // The settings of the scene without its graphs and types.
     Document rest() const
     {
-        Document rest;
-        rest.march = document_.march;
-        rest.occlusion = document_.occlusion;
-        rest.version = document_.version;
+        Document rest = document_;
+        rest.root = {};
+        rest.groups.clear();
+        rest.own_types.clear();
+        rest.extras.clear();
         return rest;
     }
 
@@ -160,6 +162,9 @@ private:
             for (auto& [name, current] : node.parameters)
                 if (value && name == exposed.socket) current = *value;
         }
+        for (auto& [name, current] : node.parameters)
+            if (std::holds_alternative<PointList>(current))
+                if (const Value* value = level.here->node.parameter(ready_made_name(node.id, name))) current = *value;
     }
 
     void copy_nodes(const Level& level)

@@ -1,6 +1,7 @@
 // From the inside of a group to its node type.
 #include "graph/group_types.h"
 
+#include "graph/contours.h"
 #include "graph/wire_rules.h"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ public:
     {
         describe();
         for (const Exposed& exposed : group_.exposed) add(exposed);
+        for (const Exposed& exposed : group_.exposed) add_ready_made(exposed);
         type_.inputs.insert(type_.inputs.end(), value_inputs_.begin(), value_inputs_.end());
         const Node* output = group_.graph.find(group_.output);
         const NodeType* given = output ? library_.type(output->type) : nullptr;
@@ -63,7 +65,9 @@ private:
         if (!inner) return;
         const Parameter* parameter = inner->parameter(exposed.socket);
         const Socket* socket = inner->input(exposed.socket);
-        if (parameter) add(exposed, *node, *parameter);
+        // What is wired inside has no value that counts; a wire from outside takes the inner one's place.
+        bool counts = parameter && (parameter->kind == ParameterKind::material || !node->input(exposed.socket));
+        if (counts) add(exposed, *node, *parameter);
         if (!socket) return;
         SocketKind kind =
             carries_field(socket->kind) ? fixed_kind(socket->kind, rules_.dimension(node->id)) : socket->kind;
@@ -77,6 +81,24 @@ private:
         if (!exposed.help.empty()) parameter.help = exposed.help;
         if (const Value* value = node.parameter(inner.name)) parameter.initial = *value;
         parameter.value_index = parameter.kind == ParameterKind::material ? -1 : values_++;
+    }
+
+    // The contours of a text that is written from outside.
+    void add_ready_made(const Exposed& exposed)
+    {
+        const Node* node = group_.graph.find(exposed.node);
+        const NodeType* inner = node ? library_.type(node->type) : nullptr;
+        if (!inner || !(node->type.starts_with(group_prefix) || is_writing(exposed.socket))) return;
+        for (const Parameter& parameter : inner->parameters) {
+            if (parameter.kind != ParameterKind::list || parameter.unit != contour_unit) continue;
+            Exposed along{ready_made_name(node->id, parameter.name), {}, node->id, parameter.name};
+            if (!type_.parameter(along.name)) add(along, *node, parameter);
+        }
+    }
+
+    static bool is_writing(std::string_view parameter)
+    {
+        return std::find(writing_parameters.begin(), writing_parameters.end(), parameter) != writing_parameters.end();
     }
 
     const Group& group_;

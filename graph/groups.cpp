@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 
 namespace fieldwright::graph {
 namespace {
@@ -45,6 +46,19 @@ private:
 };
 
 }  // namespace
+
+std::string ready_made_name(NodeId inner, std::string_view parameter)
+{
+    return std::to_string(inner.number) + "." + std::string(parameter);
+}
+
+std::pair<NodeId, std::string_view> ready_made(std::string_view name)
+{
+    NodeId inner;
+    auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), inner.number);
+    if (error != std::errc() || end == name.data() + name.size() || *end != '.') return {};
+    return {inner, name.substr(static_cast<std::size_t>(end - name.data()) + 1)};
+}
 
 const Group* find_group(const Document& document, std::string_view name)
 {

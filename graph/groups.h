@@ -11,6 +11,12 @@ inline constexpr std::string_view group_prefix = "group:";  // a group's node ty
 inline constexpr std::string_view group_category = "group";
 inline constexpr std::size_t group_depth_limit = 32;  // groups in groups
 
+// The parameter of a group's nodes that holds what is made ready of a writing inside (graph/contours.h) which the group
+// lets be set from outside: "12.outlines" for the outlines of the inner node 12. Nobody exposes it; it comes along.
+std::string ready_made_name(NodeId inner, std::string_view parameter);
+// The inner node and its parameter again; NodeId{} when it is no such name.
+std::pair<NodeId, std::string_view> ready_made(std::string_view name);
+
 const Group* find_group(const Document& document, std::string_view name);
 Group* find_group(Document& document, std::string_view name);
 std::string group_type_name(std::string_view group);

@@ -1,7 +1,7 @@
 // Requests from nodes.
 #include "graph/image_request.h"
 
-#include "graph/groups.h"
+#include "graph/expansion.h"
 
 #include <algorithm>
 
@@ -37,6 +37,7 @@ std::optional<ImageRequest> image_request(const Node& node, const NodeType& type
     ImageRequest request;
     take(node, parameter->name, request.path);
     if (request.path.empty()) return std::nullopt;
+    if (type.output == SocketKind::sky) request.part = panorama;
     take(node, "part", request.part);
     take(node, "level", request.level);
     take(node, "detail", request.detail);
@@ -46,11 +47,13 @@ std::optional<ImageRequest> image_request(const Node& node, const NodeType& type
 std::vector<ImageRequest> image_requests(const Document& document, const Library& library)
 {
     std::vector<ImageRequest> requests;
-    for_each_graph(document, [&](const Graph& graph) {
+    auto ask = [&](const Graph& graph) {
         for (const Node& node : graph.nodes)
             if (const NodeType* type = library.type(node.type))
                 if (auto request = image_request(node, *type)) requests.push_back(std::move(*request));
-    });
+    };
+    for_each_graph(document, ask);
+    if (!document.groups.empty()) ask(expanded(document, library).document.root);
     std::sort(requests.begin(), requests.end());
     requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
     return requests;

@@ -3,6 +3,7 @@
 
 #include "graph/node_declaration.h"
 #include "graph/problem.h"
+#include "graph/shader_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -65,7 +66,7 @@ std::shared_ptr<const Library::Shading> Library::shading(const std::map<std::str
     shading->texts = texts;
     std::vector<std::string> struct_names;
     for (const std::string& path : dialect_paths(texts)) {
-        shading->files.push_back(parse_source(path, texts.at(path), struct_names));
+        shading->files.push_back(parse_source(path, with_all_parts(texts.at(path)), struct_names));
         for (const StructDeclaration& declared : shading->files.back().structs) {
             shading->structs.push_back(declared);
             struct_names.push_back(declared.name);
@@ -182,6 +183,12 @@ const Function& Library::support(std::string_view name) const
 }
 
 const std::string& Library::text(std::string_view path) const { return shading_->texts.at(std::string(path)); }
+
+const Argument* NodeType::argument(std::string_view suffix, std::string_view of) const
+{
+    const Function* found = function(suffix);
+    return found ? found->argument(of) : nullptr;
+}
 
 const Function* NodeType::function(std::string_view suffix) const
 {

@@ -52,10 +52,12 @@ struct Parameter {
 };
 
 struct Socket {
-    std::string name;  // input: reserved argument name ("d", "a", "b", "camera", "sky") or parameter name
+    std::string name;  // input: reserved argument name ("d", "a", "b", "camera", "sky"), parameter name, "shape_3" ...
     SocketKind kind = SocketKind::none;
     std::string title = {};  // of a field input that `// inputs: ...` names
 };
+
+inline constexpr int most_inputs_limit = 64;
 
 enum class Quality { exact, bound, approximate };
 
@@ -77,6 +79,9 @@ struct NodeType {
     Scaling scaling = Scaling::none;
     int copies = 1;       // of a block (`// copies: N`)
     bool affine = false;  // `_point` is an affine map of p (`// point: affine`)
+    int most_inputs =
+        0;  // of a combiner of many (`// inputs: up to N`): how many fields `_distance(a, b)` folds; else 0
+    float declared_lipschitz = 1;  // `// lipschitz: L`: of an own type, whose functions the CPU does not run
     std::vector<Parameter> parameters;
     std::vector<Socket> inputs;  // field inputs first, then one per wireable parameter
     SocketKind output = SocketKind::none;
@@ -87,6 +92,7 @@ struct NodeType {
     bool former = false;     // declared by an earlier text than the document's, which the library has left out
 
     const Function* function(std::string_view suffix) const;  // "distance", "point", ...; null when absent
+    const Argument* argument(std::string_view suffix, std::string_view of) const;  // of that function, if it has it
     const Parameter* parameter(std::string_view name) const;
     const Socket* input(std::string_view name) const;
     bool is_field() const;

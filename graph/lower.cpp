@@ -51,6 +51,8 @@ Program Lowering::lower()
     program.lipschitz = lipschitz;
     program.march = document_.march;
     program.occlusion = document_.occlusion;
+    program.fog = document_.fog;
+    program.bounces = document_.bounces;
     program.expanded_cost = cost_;
     program.loop_iterations = static_cast<int>(std::min(loop_iterations_, 59999.0));
     program.step_budget = 60000 / (1 + program.loop_iterations);
@@ -227,22 +229,41 @@ Entry Lowering::lower_ray(int camera)
 {
     begin_entry();
     uv_ = builder_.input(ProgramBuilder::vec2_type(), "uv");
+    lens_ = builder_.input(ProgramBuilder::vec2_type(), "lens");
     Context context = new_context(origin_, origin_);
     const NodeType* fallback = builder_.library().type("perspective");
     ValueId ray = no_value;
     if (camera >= 0) ray = node_call(camera, "ray", context, {});
     else if (fallback) ray = default_call(*fallback, "ray");
-    return builder_.finish_entry({uv_}, {ray});
+    return builder_.finish_entry({uv_, lens_}, {ray});
 }
 
 Entry Lowering::lower_sky(int sky)
 {
     begin_entry();
     direction_ = builder_.input(ProgramBuilder::vec3_type(), "direction");
+    spread_ = builder_.input(ProgramBuilder::real_type(), "spread");
     Context context = new_context(origin_, origin_);
-    ValueId radiance = sky >= 0 ? node_call(sky, "sky", context, {}) : builder_.call("empty_sky", {direction_});
-    return builder_.finish_entry({direction_}, {radiance});
+    ValueId radiance =
+        sky >= 0 ? node_call(sky, "sky", context, {}) : builder_.call("empty_sky", {direction_, spread_});
+    return builder_.finish_entry({direction_, spread_}, {radiance});
 }
+
+namespace {
+
+// Of a user's own light, a switch gives hard shadows.
+Shadow shadow_of(const Node& node)
+{
+    const Value* value = node.parameter("shadow");
+    if (const bool* casts = value ? std::get_if<bool>(value) : nullptr) return *casts ? Shadow::hard : Shadow::off;
+    const std::string* word = value ? std::get_if<std::string>(value) : nullptr;
+    if (!word) return Shadow::off;
+    if (*word == "soft") return Shadow::soft;
+    if (*word == "soft_corrected") return Shadow::soft_corrected;
+    return *word == "hard" ? Shadow::hard : Shadow::off;
+}
+
+}  // namespace
 
 std::vector<LightEntry> Lowering::lower_lights()
 {
@@ -258,11 +279,10 @@ std::vector<LightEntry> Lowering::lower_lights()
         ValueId p = builder_.input(ProgramBuilder::vec3_type(), "p");
         builder_.mark_point_dependent(p);
         ValueId light = node_call(static_cast<int>(i), "light", new_context(p, origin_), {});
-        const Value* shadow = nodes()[i].parameter("shadow");
-        bool casts = shadow && std::holds_alternative<bool>(*shadow) && std::get<bool>(*shadow);
-        lights.push_back({builder_.finish_entry({p}, {light}), nodes()[i].id, casts});
+        lights.push_back({builder_.finish_entry({p}, {light}), nodes()[i].id, shadow_of(nodes()[i])});
     }
-    std::stable_partition(lights.begin(), lights.end(), [](const LightEntry& light) { return light.shadow; });
+    std::stable_partition(lights.begin(), lights.end(),
+                          [](const LightEntry& light) { return light.shadow != Shadow::off; });
     return lights;
 }
 
@@ -294,6 +314,20 @@ Program lower_groups(const Document& document, const std::shared_ptr<const Libra
 }
 
 }  // namespace
+
+float step_scale(const MarchSettings& march) { return march.own_step_scale ? march.step_scale : 1.0f; }
+
+int shadow_count(const Program& program)
+{
+    auto is_shadowed = [](const LightEntry& light) { return light.shadow != Shadow::off; };
+    return static_cast<int>(std::count_if(program.lights.begin(), program.lights.end(), is_shadowed));
+}
+
+bool tracks_cone(const Program& program)
+{
+    return std::any_of(program.lights.begin(), program.lights.end(),
+                       [](const LightEntry& light) { return light.shadow > Shadow::hard; });
+}
 
 Program lower(const Document& document, const std::shared_ptr<const Library>& library, const LowerOptions& options)
 {

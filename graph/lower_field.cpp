@@ -55,10 +55,11 @@ Lowering::FieldValue Lowering::field(int index, Context context, bool may_divide
     return value;
 }
 
-// Divides a Lipschitz constant out at the highest place above which only hard combiners and isometries follow.
+// Divides a Lipschitz constant out at the highest place above which only hard combiners and isometries follow, unless the
+// scene's own step scale stands for all of them.
 Lowering::FieldValue Lowering::divided(int index, Context context, bool may_divide)
 {
-    if (!may_divide || passes_division(type(index)) || !may_exceed_one(index))
+    if (!may_divide || document_.march.own_step_scale || passes_division(type(index)) || !may_exceed_one(index))
         return raw_field(index, context, may_divide);
     FieldValue value = raw_field(index, context, false);
     if (value.distance != no_value)
@@ -71,7 +72,7 @@ Lowering::FieldValue Lowering::raw_field(int index, Context context, bool may_di
     const NodeType& type = this->type(index);
     gpu_only_ = gpu_only_ || !type.compiled;
     bool inner_may_divide = may_divide && passes_division(type);
-    if (type.scaling == Scaling::hard_associative) return chain(index, context, inner_may_divide);
+    if (is_folded(type)) return chain(index, context, inner_may_divide);
     if (type.input("c")) return ternary(index, context, inner_may_divide);
     if (type.input("a")) return binary(index, context, inner_may_divide);
     if (type.copies > 1) return block(index, context, inner_may_divide);
@@ -199,7 +200,14 @@ Lowering::FieldValue Lowering::combined(int index, Context context, const FieldV
     return value;
 }
 
-// A run of the same associative combiner becomes a balanced tree: shorter dependency chains compile and run faster.
+// Whether the node's inputs, and those of its like below it, are the leaves of one tree.
+bool Lowering::is_folded(const NodeType& type)
+{
+    return type.scaling == Scaling::hard_associative || type.most_inputs > 0;
+}
+
+// A run of the same associative combiner becomes a balanced tree, and the inputs of a combiner of many another: shorter
+// dependency chains compile and run faster.
 Lowering::FieldValue Lowering::chain(int index, Context context, bool may_divide)
 {
     std::vector<int> leaves = chain_leaves(index);
@@ -211,18 +219,23 @@ std::vector<int> Lowering::chain_leaves(int index)
 {
     std::vector<int> leaves;
     std::vector<int> open = {index};
+    bool joins_its_like = type(index).scaling == Scaling::hard_associative;
     while (!open.empty()) {
         int at = open.back();
         open.pop_back();
         bool same_chain =
-            at == index || (types_[static_cast<std::size_t>(at)] == types_[static_cast<std::size_t>(index)] &&
-                            uses_[static_cast<std::size_t>(at)] == 1);
+            at == index ||
+            (joins_its_like && types_[static_cast<std::size_t>(at)] == types_[static_cast<std::size_t>(index)] &&
+             uses_[static_cast<std::size_t>(at)] == 1);
         if (!same_chain) {
             leaves.push_back(at);
             continue;
         }
-        for (const char* socket : {"b", "a"})
-            if (int source = field_source(at, socket); source >= 0) open.push_back(source);
+        const std::vector<Socket>& sockets = type(at).inputs;
+        for (auto socket = sockets.rbegin(); socket != sockets.rend(); ++socket) {
+            if (!is_field_kind(socket->kind)) continue;
+            if (int source = field_source(at, socket->name); source >= 0) open.push_back(source);
+        }
     }
     return leaves;
 }
@@ -246,7 +259,8 @@ Lowering::FieldValue Lowering::block(int index, Context context, bool may_divide
     for (const Argument& argument : type.function("point")->arguments)
         if (argument.role == Role::p) point_argument(index, argument.type, context);
 
-    ValueId needed = type.function("copies") ? node_call(index, "copies", context, {}) : no_value;
+    // What the CPU cannot count it does not leave out.
+    ValueId needed = type.compiled && type.function("copies") ? node_call(index, "copies", context, {}) : no_value;
     std::size_t start = builder_.begin_block(type.copies, node(index).id);
     if (needed != no_value && builder_.rate(needed) != Rate::point) builder_.set_needed(start, needed);
     double outer_copies = copies_;

@@ -101,7 +101,8 @@ ValueId Lowering::slope_over(int index, const Parameter& parameter)
     }
     variables.push_back({-longest_time_s, longest_time_s});
     for (const Parameter* number : formula_parameters(type(index))) variables.push_back(range_of(index, *number));
-    SlopeBound bound = slope_bound(formulas_.at({node.id, parameter.name}), variables);
+    const Formula& formula = formulas_.at({node.id, parameter.name});
+    SlopeBound bound = options_.slopes ? options_.slopes->bound(formula, variables) : slope_bound(formula, variables);
     if (!bound.bounded)
         note(node.id,
              "its formula is steeper than any number somewhere in the box (a root, a division or a jump); "

@@ -1,9 +1,12 @@
 // Lowering of numbers: calls, their arguments, parameters and wires, Lipschitz constants and bounds.
 #include "graph/contours.h"
 #include "graph/drawing.h"
+#include "graph/known_types.h"
 #include "graph/lowering.h"
+#include "graph/outline.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <numbers>
 
 namespace fieldwright::graph {
@@ -56,6 +59,7 @@ ValueId Lowering::default_call(const NodeType& type, std::string_view suffix)
     std::vector<ValueId> arguments;
     for (const Argument& argument : function.arguments) {
         if (argument.role == Role::uv) arguments.push_back(uv_);
+        else if (argument.role == Role::lens) arguments.push_back(lens_);
         else if (argument.role == Role::time) arguments.push_back(builder_.program().time);
         else if (argument.parameter >= 0) {
             const Parameter& parameter = type.parameters[static_cast<std::size_t>(argument.parameter)];
@@ -74,7 +78,9 @@ ValueId Lowering::argument(int index, const Argument& argument, Context context,
         case Role::cell: return context < 0 ? origin_ : contexts_[static_cast<std::size_t>(context)].cell;
         case Role::time: return builder_.program().time;
         case Role::uv: return uv_;
+        case Role::lens: return lens_;
         case Role::direction: return direction_;
+        case Role::spread: return spread_;
         case Role::d: return bound(bindings.d);
         case Role::a: return bound(bindings.a);
         case Role::b: return bound(bindings.b);
@@ -147,7 +153,7 @@ ValueId Lowering::image_list(int index, const Parameter& parameter)
     std::optional<ImageRequest> request = image_request(node, type(index));
     const BakedImage* image = request ? baked_image(*options_.images, *request) : nullptr;
     auto [known, is_new] = image_lists_.try_emplace(image, no_value);
-    if (is_new) known->second = builder_.list(image ? image->distances : PointList{}, node.id, parameter.name.c_str());
+    if (is_new) known->second = builder_.list(image ? image->list : PointList{}, node.id, parameter.name.c_str());
     return known->second;
 }
 
@@ -177,12 +183,23 @@ ValueId Lowering::constant_of(const Parameter& parameter, const Value& value, No
 PointList Lowering::expanded(const Parameter& parameter, const PointList& points, NodeId node)
 {
     if (parameter.unit == drawing_unit) return expanded_drawing(points, node);
+    if (int index = index_of(node); index >= 0 && type(index).name == known_types::polygon) tell_contact(points, node);
     if (parameter.unit != contour_unit) return points;
     PointList sides = sides_of(points);
     if (sides.size() < points.size())
         note(node, "its outlines have " + std::to_string(points.size()) + " sides; of these, " +
                        std::to_string(sides.size()) + " are drawn");
     return sides;
+}
+
+void Lowering::tell_contact(const PointList& outline, NodeId node)
+{
+    std::optional<glm::vec2> place = self_contact(outline);
+    if (!place) return;
+    char where[48];
+    std::snprintf(where, sizeof where, "(%.3g, %.3g)", static_cast<double>(place->x), static_cast<double>(place->y));
+    note(node, "its outline meets itself at " + std::string(where) +
+                   "; what it goes round twice is empty there: move its corners apart for a plain shape");
 }
 
 PointList Lowering::expanded_drawing(const PointList& rectangles, NodeId node)
@@ -298,8 +315,8 @@ bool Lowering::may_exceed_one(int index)
 {
     if (auto known = exceeds_memo_.find(index); known != exceeds_memo_.end()) return known->second;
     const NodeType& type = this->type(index);
-    bool exceeds =
-        type.function("lipschitz") || type.function("stretch") || type.approximate_step < 1 || varies_with_point(index);
+    bool exceeds = type.function("lipschitz") || type.function("stretch") || type.declared_lipschitz > 1 ||
+                   type.approximate_step < 1 || varies_with_point(index);
     exceeds_memo_[index] = exceeds;
     if (!exceeds)
         for (int source : field_inputs(index)) exceeds = exceeds || may_exceed_one(source);
@@ -340,6 +357,18 @@ ValueId Lowering::lipschitz(int index)
     return largest == no_value ? own : builder_.call("multiply_lipschitz", {own, largest});
 }
 
+// What the author says of a type whose functions do not run here.
+float Lowering::declared_lipschitz(int index)
+{
+    const NodeType& type = this->type(index);
+    bool may_stretch = type.function("lipschitz") || type.function("stretch");
+    if (type.compiled || !may_stretch || type.declared_lipschitz > 1) return type.declared_lipschitz;
+    note(node(index).id,
+         "how much it stretches space is not known; rays take quarter steps here until its text has a line "
+         "`// lipschitz: L` that says how much at most");
+    return 4.0f;
+}
+
 ValueId Lowering::own_lipschitz(int index)
 {
     const NodeType& type = this->type(index);
@@ -347,18 +376,11 @@ ValueId Lowering::own_lipschitz(int index)
     auto multiply = [&](ValueId factor) {
         own = own == no_value ? factor : builder_.call("multiply_lipschitz", {own, factor});
     };
-    for (const char* suffix : {"lipschitz", "stretch"}) {
-        const Function* function = type.function(suffix);
-        if (!function) continue;
-        if (!type.compiled) {
-            note(node(index).id,
-                 "how much it stretches space is not known until it is compiled into the program; rays take quarter "
-                 "steps here");
-            multiply(builder_.constant(4.0f));
-            continue;
-        }
-        multiply(call_function(index, *function, frame_context, boxes_of_inputs(index)));
-    }
+    for (const char* suffix : {"lipschitz", "stretch"})
+        if (const Function* function = type.compiled ? type.function(suffix) : nullptr)
+            multiply(call_function(index, *function, frame_context, boxes_of_inputs(index)));
+    if (float declared = declared_lipschitz(index); own == no_value && declared > 1)
+        multiply(builder_.constant(declared));
     if (type.approximate_step < 1) multiply(builder_.constant(1.0f / type.approximate_step));
     if (varies_with_point(index)) {
         note(node(index).id, "a parameter varies over space; rays take half steps here to be safe");
@@ -382,6 +404,15 @@ Lowering::Bindings Lowering::boxes_of_inputs(int index)
             .box_c = box_of_input(index, "c")};
 }
 
+// Of the tree that `balanced` makes.
+ValueId Lowering::balanced_box(int index, std::span<const int> leaves)
+{
+    if (leaves.size() == 1) return box(leaves[0]);
+    std::size_t half = leaves.size() / 2;
+    ValueId a = balanced_box(index, leaves.first(half)), b = balanced_box(index, leaves.subspan(half));
+    return node_call(index, "bounds", frame_context, {.box_a = a, .box_b = b});
+}
+
 // Box around a field's surface, in the space of its own point.
 ValueId Lowering::box(int index)
 {
@@ -394,16 +425,11 @@ ValueId Lowering::box(int index)
     if (!computable) return box_memo_[index] = builder_.call("everywhere", {});
     ++depth_;
     ValueId value = no_value;
-    const Function& bounds = *type(index).function("bounds");
-    if (type(index).scaling == Scaling::hard_associative) {
-        for (int leaf : chain_leaves(index)) {
-            ValueId next = box(leaf);
-            value =
-                value == no_value ? next : call_function(index, bounds, frame_context, {.box_a = value, .box_b = next});
-        }
-        if (value == no_value) value = builder_.call("everywhere", {});
+    if (is_folded(type(index))) {
+        std::vector<int> leaves = chain_leaves(index);
+        value = leaves.empty() ? builder_.call("everywhere", {}) : balanced_box(index, leaves);
     } else {
-        value = call_function(index, bounds, frame_context, boxes_of_inputs(index));
+        value = node_call(index, "bounds", frame_context, boxes_of_inputs(index));
     }
     --depth_;
     return box_memo_[index] = value;

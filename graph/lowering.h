@@ -60,6 +60,7 @@ private:
     int field_source(int target, std::string_view socket);
     int other_source(int target, std::string_view socket, SocketKind kind);
     static bool is_field_kind(SocketKind kind);
+    static bool is_folded(const NodeType& type);
 
     void begin_entry();
     Context new_context(ValueId point, ValueId cell);
@@ -104,6 +105,7 @@ private:
     ValueId wired_parameter(int index, const Parameter& parameter, Context context);
     ValueId constant_of(const Parameter& parameter, const Value& value, NodeId node);
     PointList expanded(const Parameter& parameter, const PointList& points, NodeId node);
+    void tell_contact(const PointList& outline, NodeId node);
     PointList expanded_drawing(const PointList& rectangles, NodeId node);
     ValueId clamped(const Parameter& parameter, ValueId value);
     ValueId value_of(int source, Context context);
@@ -122,11 +124,13 @@ private:
     ValueId memo_lipschitz(int index);
     ValueId lipschitz(int index);
     ValueId own_lipschitz(int index);
+    float declared_lipschitz(int index);
     bool may_exceed_one(int index);
     bool varies_with_point(int index);
     int value_needs(int source);
     std::vector<int> field_inputs(int index);
     ValueId box(int index);
+    ValueId balanced_box(int index, std::span<const int> leaves);
     ValueId box_of_input(int index, std::string_view socket);
     Bindings boxes_of_inputs(int index);
     int iterations_of_call(const Function& function, std::span<const ValueId> arguments) const;
@@ -139,7 +143,7 @@ private:
     std::vector<Problem> problems_;
 
     std::array<ValueId, 4> corners_{};  // the origin and the ends of the unit vectors, when moves are folded
-    ValueId origin_ = no_value, uv_ = no_value, direction_ = no_value;
+    ValueId origin_ = no_value, uv_ = no_value, lens_ = no_value, direction_ = no_value, spread_ = no_value;
     ValueId default_material_ = no_value, no_id_ = no_value;
 
     // Of the entry being emitted.

@@ -25,8 +25,10 @@ const std::vector<Meaning>& meanings()
     using enum Role;
     static const std::vector<Meaning> list = {
         {"distance", {"float"}, {p, d, a, b, c, acc, cell, time}},
+        {"least", {"float"}, {b}},
         {"point", {"vec3", "vec2"}, {p, copy, cell, time}},
         {"cell", {"vec3"}, {p, copy, cell, time}},
+        {"copies", {"int"}, {time}},
         {"blend", {"float"}, {p, d, a, b, acc, cell, time}},
         {"shows_b", {"bool"}, {p, d, a, b, acc, cell, time}},
         {"bounds", {"Box"}, {child, box_a, box_b, time}},
@@ -35,7 +37,7 @@ const std::vector<Meaning>& meanings()
         {"value", {"float", "vec2", "vec3"}, {p, cell, time}},
         {"material", {"Material"}, {p, cell, time}},
         {"light", {"Light"}, {p, time}},
-        {"ray", {"Ray"}, {uv, time}},
+        {"ray", {"Ray"}, {uv, lens, time}},
         {"sky", {"vec3"}, {direction, time}},
     };
     return list;
@@ -49,7 +51,8 @@ std::vector<std::string_view> types_of(Role role)
         case Role::copy: return {"int"};
         case Role::cell:
         case Role::direction: return {"vec3"};
-        case Role::uv: return {"vec2"};
+        case Role::uv:
+        case Role::lens: return {"vec2"};
         case Role::child:
         case Role::box_a:
         case Role::box_b: return {"Box"};
@@ -106,7 +109,6 @@ void check_arguments(const NodeType& type, const Function& function, const Meani
 void check_meaning(const NodeType& type, const Function& function)
 {
     std::string_view suffix = std::string_view(function.name).substr(type.name.size() + 1);
-    if (suffix == "copies") fail(type, function.line, "`_copies` works in nodes built into the program only");
     for (const Meaning& meaning : meanings()) {
         if (meaning.suffix != suffix) continue;
         if (!contains(meaning.results, function.result.name))

@@ -9,6 +9,8 @@
 
 namespace fieldwright::graph {
 
+class SlopeMemo;
+
 enum class Rate { constant, frame, point };  // constant < frame (depends on time only) < point (depends on p)
 
 using ValueId = std::int32_t;
@@ -52,10 +54,12 @@ struct Entry {
     std::vector<ValueId> results;
 };
 
+enum class Shadow { off, hard, soft, soft_corrected };  // numbered as the kinds of render/march.glsl
+
 struct LightEntry {
     Entry entry;  // p -> Light
     NodeId node;
-    bool shadow = false;
+    Shadow shadow = Shadow::off;
 };
 
 struct Program {
@@ -73,12 +77,14 @@ struct Program {
     Entry frame;                     // constant- and frame-rate calls: results go to the block
     Entry distance;                  // p -> float
     Entry surface;                   // p -> Material, material node id, node id (whole numbers as float)
-    Entry ray;                       // uv -> Ray
-    Entry sky;                       // direction -> vec3
+    Entry ray;                       // uv, lens -> Ray
+    Entry sky;                       // direction, spread (0 one direction .. 1 the hemisphere around it) -> vec3
     std::vector<LightEntry> lights;  // shadowed first
 
     MarchSettings march;
     OcclusionSettings occlusion;
+    FogSettings fog;
+    int bounces = 0;
     std::int64_t expanded_cost = 0;  // primitive evaluations per distance call, copies included, saturating
     int loop_iterations = 0;         // per distance call
     int step_budget = 60000;         // floor(60000 / (1 + loop_iterations)), all rays of a pixel together
@@ -88,6 +94,11 @@ struct Program {
     std::vector<Problem> problems;
     std::vector<InnerCopy> inner_copies;  // what the ids of nodes stand for that the scene itself does not have
 };
+
+float step_scale(const MarchSettings& march);  // 1 when derived
+int shadow_count(const Program& program);      // lights that cast shadows; they come first
+// Whether the march must keep the smallest ratio of distance and way along its rays.
+bool tracks_cone(const Program& program);
 
 struct LowerOptions {
     std::int64_t cost_limit = 2048;
@@ -102,6 +113,8 @@ struct LowerOptions {
     bool fold_moves = true;
     // What was baked for image_requests(document, library); what is missing here is still being read.
     const BakedImages* images = nullptr;
+    // Where the slopes of typed formulas are kept from one lowering of a scene to the next; null computes them.
+    SlopeMemo* slopes = nullptr;
 };
 
 // Pure; never throws for a valid document at rest. Problems' nodes count as unconnected. A problem inside a group is

@@ -2,6 +2,7 @@
 #include "graph/scene_file.h"
 
 #include "graph/json.h"
+#include "graph/picture_scene.h"
 #include "graph/problem.h"
 
 #include <fcntl.h>
@@ -79,6 +80,11 @@ Document open_scene(const std::filesystem::path& path, const Library& library)
     if (!S_ISREG(status.st_mode)) refuse(path, "is not a regular file; name a scene file");
     if (status.st_size > static_cast<off_t>(json_text_limit)) refuse(path, "is larger than 16 MB; split the scene");
     std::string text = read_all(file.number(), static_cast<std::size_t>(status.st_size), path);
+    if (std::string_view(text).starts_with(png_signature)) {
+        std::optional<std::string> scene = scene_in_png(text);
+        if (!scene) refuse(path, "is a picture that keeps no scene; `render --keep-scene` makes ones that do");
+        text = std::move(*scene);
+    }
     return read_scene(text, library, path.string());
 }
 

@@ -16,7 +16,7 @@ std::string write_scene(const Document& document, const Library& library);
 // A parameter's value as scene JSON has it. Failure 3 when the parameter does not take it.
 Value read_value(std::string_view json, const Parameter& parameter);
 
-// Regular files only, at most 16 MB; refuses FIFOs, devices, folders and symlink loops without blocking. Failure 3.
+// Scene JSON, or a PNG that keeps one. Regular files only, at most 16 MB; refuses FIFOs, devices, folders and symlink loops without blocking. Failure 3.
 Document open_scene(const std::filesystem::path& path, const Library& library);
 void save_scene(const std::filesystem::path& path, const Document& document, const Library& library);  // Failure 5
 

@@ -3,11 +3,13 @@
 #include "graph/fragment.h"
 #include "graph/group_rules.h"
 #include "graph/group_types.h"
-#include "graph/json.h"
+#include "graph/interface_reader.h"
 #include "graph/limits.h"
+#include "graph/node_reader.h"
 #include "graph/own_types.h"
 #include "graph/scene_file.h"
-#include "graph/settings.h"
+#include "graph/settings_reader.h"
+#include "graph/value_reader.h"
 #include "graph/wire_rules.h"
 
 #include <algorithm>
@@ -24,9 +26,7 @@ bool contains(const List& list, std::string_view word)
     return std::find(std::begin(list), std::end(list), word) != std::end(list);
 }
 
-constexpr std::string_view known_members[] = {"format", "version",   "app",   "next_id",
-                                              "march",  "occlusion", "types", "graphs"};
-constexpr std::string_view exposed_members[] = {"name", "help", "node", "socket"};
+constexpr std::string_view known_members[] = {"format", "version", "app", "next_id", "types", "graphs"};
 constexpr std::string_view fragment_members[] = {"format", "version", "types", "groups", "nodes"};
 
 bool is_of_group(const NodeType* type) { return type->origin == Origin::group; }
@@ -45,16 +45,14 @@ public:
         const JsonValue& scene = json_.root();
         if (scene.kind != JsonKind::object)
             json_.fail(scene, "must be an object; a scene begins with { \"format\": \"fieldwright\"");
-        format(required(scene, "format", "\"format\": \"fieldwright\""));
-        version(required(scene, "version", "\"version\": 1"));
-        if (const JsonValue* march = json_.member(scene, "march")) read_march(json_.object(*march));
-        if (const JsonValue* occlusion = json_.member(scene, "occlusion")) read_occlusion(json_.object(*occlusion));
+        format(json_.required(scene, "format", "\"format\": \"fieldwright\""));
+        version(json_.required(scene, "version", "\"version\": 1"));
         read_types(json_.member(scene, "types"));
-        list_graphs(json_.object(required(scene, "graphs", "\"graphs\": {\"root\": {\"nodes\": {}}}")));
+        list_graphs(json_.object(json_.required(scene, "graphs", "\"graphs\": {\"root\": {\"nodes\": {}}}")));
         next_id(json_.member(scene, "next_id"));
         read_parts();
         for (const JsonValue* member = json_.first_child(scene); member; member = json_.next_sibling(*member))
-            if (!contains(known_members, member->key))
+            if (!contains(known_members, member->key) && !read_setting(json_, *member, document_))
                 document_.extras.emplace_back(member->key, json_.source(*member));
         return std::move(document_);
     }
@@ -62,29 +60,22 @@ public:
     Fragment read_fragment()
     {
         const JsonValue& root = json_.object(json_.root());
-        if (json_.string(required(root, "format", "the format of copied nodes")) != fragment_format)
+        if (json_.string(json_.required(root, "format", "the format of copied nodes")) != fragment_format)
             json_.fail(root, "is not made of copied nodes");
-        if (json_.integer(required(root, "version", "\"version\": 1")) != fragment_version)
+        if (json_.integer(json_.required(root, "version", "\"version\": 1")) != fragment_version)
             json_.fail(root, "is of another version than this program reads, 1");
         for (const JsonValue* member = json_.first_child(root); member; member = json_.next_sibling(*member))
             if (!contains(fragment_members, member->key))
-                unknown_member(*member, "`format`, `version`, `types`, `groups`, `nodes`");
+                json_.unknown_member(*member, "`format`, `version`, `types`, `groups`, `nodes`");
         read_types(json_.member(root, "types"));
         if (const JsonValue* groups = json_.member(root, "groups")) list_groups(json_.object(*groups), nullptr);
-        list_nodes(required(root, "nodes", "\"nodes\": {}"), root_);
+        list_nodes(json_.required(root, "nodes", "\"nodes\": {}"), root_);
         next_id(nullptr);
         incoming_.emplace();
         read_parts();
         drop_placeholders();
         return {std::move(document_.root.nodes), std::move(*incoming_), std::move(document_.own_types),
                 std::move(document_.groups)};
-    }
-
-    Value read_value(const Parameter& parameter) const
-    {
-        Value value = value_of(parameter, json_.root());
-        if (std::string error = value_error(parameter, value); !error.empty()) json_.fail(json_.root(), error);
-        return value;
     }
 
 private:
@@ -102,22 +93,6 @@ private:
         enum class Mark { fresh, open, done } mark = Mark::fresh;
     };
 
-    const JsonValue& required(const JsonValue& object, std::string_view key, const std::string& example) const
-    {
-        const JsonValue* value = json_.member(object, key);
-        if (!value) json_.fail(object, "lacks its member `" + std::string(key) + "`; add " + example);
-        return *value;
-    }
-
-    [[noreturn]] void unknown_member(const JsonValue& member, const std::string& known) const
-    {
-        std::string hint;
-        if (document_.version > document_version)
-            hint = "; the scene is of version " + std::to_string(document_.version) + ", this program reads version " +
-                   std::to_string(document_version);
-        json_.fail_at_key(member, "is not known here; the members are " + known + hint);
-    }
-
     void format(const JsonValue& value) const
     {
         if (json_.string(value) != "fieldwright")
@@ -130,61 +105,7 @@ private:
         if (number < 1 || number > std::numeric_limits<int>::max())
             json_.fail(value, "must be 1 or the number of a newer version");
         document_.version = static_cast<int>(number);
-    }
-
-    int small_integer(const JsonValue& value) const
-    {
-        std::int64_t number = json_.integer(value);
-        if (number < std::numeric_limits<int>::min() || number > std::numeric_limits<int>::max())
-            json_.fail(value, "is too large; write a whole number between -2^31 and 2^31 - 1");
-        return static_cast<int>(number);
-    }
-
-    // Whether the member is one of the numbers, and then reads it.
-    template <typename Settings, typename Numbers>
-    bool read_number(const JsonValue& member, const Numbers& numbers, Settings& settings) const
-    {
-        for (const SettingNumber<Settings>& number : numbers) {
-            if (member.key != number.name) continue;
-            settings.*number.member = json_.number(member);
-            return true;
-        }
-        return false;
-    }
-
-    void refuse_setting(const JsonValue& object, const std::optional<SettingError>& error) const
-    {
-        if (!error) return;
-        const JsonValue* member = json_.member(object, error->name);
-        if (member) json_.fail(*member, error->what);
-        json_.fail(object, "`" + error->name + "` " + error->what);
-    }
-
-    void read_march(const JsonValue& object)
-    {
-        MarchSettings& march = document_.march;
-        for (const JsonValue* member = json_.first_child(object); member; member = json_.next_sibling(*member)) {
-            if (member->key == "step_limit") march.step_limit = small_integer(*member);
-            else if (member->key == "out_of_steps") march.out_of_steps_hits = miss_or_hit(*member);
-            else if (!read_number(*member, march_numbers, march))
-                unknown_member(*member, "`step_limit`, `minimum_step`, `tolerance`, `near`, `far`, `out_of_steps`");
-        }
-        refuse_setting(object, setting_error(march));
-    }
-
-    bool miss_or_hit(const JsonValue& value) const
-    {
-        std::string_view word = json_.string(value);
-        if (word != "miss" && word != "hit") json_.fail(value, "must be \"miss\" or \"hit\"");
-        return word == "hit";
-    }
-
-    void read_occlusion(const JsonValue& object)
-    {
-        for (const JsonValue* member = json_.first_child(object); member; member = json_.next_sibling(*member))
-            if (!read_number(*member, occlusion_numbers, document_.occlusion))
-                unknown_member(*member, "`strength`, `radius`");
-        refuse_setting(object, setting_error(document_.occlusion));
+        json_.set_version(document_.version);
     }
 
     // The nodes are read under the library that knows them.
@@ -212,10 +133,10 @@ private:
 
     void list_graphs(const JsonValue& graphs)
     {
-        const JsonValue& root = json_.object(required(graphs, "root", "\"root\": {\"nodes\": {}}"));
-        const JsonValue& nodes = json_.object(required(root, "nodes", "\"nodes\": {}"));
+        const JsonValue& root = json_.object(json_.required(graphs, "root", "\"root\": {\"nodes\": {}}"));
+        const JsonValue& nodes = json_.object(json_.required(root, "nodes", "\"nodes\": {}"));
         for (const JsonValue* member = json_.first_child(root); member; member = json_.next_sibling(*member))
-            if (member != &nodes) unknown_member(*member, "`nodes`");
+            if (member != &nodes) json_.unknown_member(*member, "`nodes`");
         list_groups(graphs, &root);
         list_nodes(nodes, root_);
     }
@@ -229,7 +150,7 @@ private:
             if (parts_.size() >= group_limit) json_.fail(graphs, "has more than 1000 groups; split the scene");
             Part& part = parts_[std::string(member->key)];
             part.value = &json_.object(*member);
-            list_nodes(required(*member, "nodes", "\"nodes\": {}"), part);
+            list_nodes(json_.required(*member, "nodes", "\"nodes\": {}"), part);
         }
         for (const auto& [name, part] : parts_) document_.groups.emplace_back().name = name;
     }
@@ -274,7 +195,7 @@ private:
         if (uses_groups) know_types();
         Group& group = *find_group(document_, name);
         read_graph(part, group.graph);
-        read_interface(*part.value, group);
+        read_interface(json_, *part.value, *library_, group);
         types_.push_back(group_type(group, *library_));
         part.mark = Part::Mark::done;
     }
@@ -286,48 +207,14 @@ private:
         library_ = known_.get();
     }
 
-    void read_interface(const JsonValue& value, Group& group) const
-    {
-        for (const JsonValue* member = json_.first_child(value); member; member = json_.next_sibling(*member)) {
-            if (member->key == "nodes") continue;
-            if (member->key == "output") group.output = {json_.integer(*member)};
-            else if (member->key == "exposed") read_exposed(json_.array(*member), group);
-            else unknown_member(*member, "`output`, `exposed`, `nodes`");
-            if (member->key != "output") continue;
-            if (Refusal refusal = group_output_error(group.output, group.graph, *library_))
-                json_.fail(*member, *refusal);
-        }
-    }
-
-    void read_exposed(const JsonValue& list, Group& group) const
-    {
-        if (list.count > exposed_limit) json_.fail(list, "has more than 256 entries");
-        for (const JsonValue* value = json_.first_child(list); value; value = json_.next_sibling(*value)) {
-            Exposed exposed = exposed_of(json_.object(*value));
-            if (Refusal refusal = exposed_name_error(exposed.name)) json_.fail(*value, *refusal);
-            if (free_exposed_name(group, exposed.name) != exposed.name)
-                json_.fail(*value, "has the name of another entry, " + in_quotes(exposed.name));
-            if (Refusal refusal = exposed_error(exposed, group.graph, *library_)) json_.fail(*value, *refusal);
-            group.exposed.push_back(std::move(exposed));
-        }
-    }
-
-    Exposed exposed_of(const JsonValue& object) const
-    {
-        Exposed exposed;
-        exposed.name = json_.string(required(object, "name", "\"name\": \"radius\""));
-        exposed.node = {json_.integer(required(object, "node", "the id of an inner node"))};
-        exposed.socket = json_.string(required(object, "socket", "the parameter or input that it drives"));
-        if (const JsonValue* help = json_.member(object, "help")) exposed.help = short_text(*help);
-        for (const JsonValue* member = json_.first_child(object); member; member = json_.next_sibling(*member))
-            if (!contains(exposed_members, member->key)) unknown_member(*member, "`name`, `help`, `node`, `socket`");
-        return exposed;
-    }
-
     void read_graph(Part& part, Graph& graph)
     {
         graph.nodes.resize(part.entries.size());
-        for (std::size_t i = 0; i < part.entries.size(); ++i) read_node(part.entries[i], graph.nodes[i]);
+        for (std::size_t i = 0; i < part.entries.size(); ++i) {
+            Entry& entry = part.entries[i];
+            graph.nodes[i].id = entry.id;
+            entry.inputs = read_node(json_, *entry.value, *library_, graph.nodes[i]);
+        }
         read_wires(part, graph);
         refuse_cycles(part, graph);
     }
@@ -341,120 +228,6 @@ private:
             number >= id_limit)
             json_.fail_at_key(node, "is not an id; a node's key is a whole number from 1 up, without leading zeros");
         return {number};
-    }
-
-    std::string short_text(const JsonValue& value) const
-    {
-        std::string_view text = json_.string(value);
-        if (text.size() > name_limit) json_.fail(value, "must have at most 256 bytes; shorten it");
-        return std::string(text);
-    }
-
-    void read_node(Entry& entry, Node& node) const
-    {
-        node.id = entry.id;
-        node.type = short_text(required(*entry.value, "type", "e.g. \"type\": \"sphere\""));
-        const NodeType* type = library_->type(node.type);
-        if (!type) return read_placeholder(entry, node);
-        const JsonValue* parameters = nullptr;
-        for (const JsonValue* member = json_.first_child(*entry.value); member; member = json_.next_sibling(*member)) {
-            if (member->key == "type") continue;
-            if (member->key == "name") node.name = short_text(*member);
-            else if (member->key == "position") node.position = vector<2>(*member);
-            else if (member->key == "muted") node.muted = json_.boolean(*member);
-            else if (member->key == "parameters") parameters = &json_.object(*member);
-            else if (member->key == "inputs") entry.inputs = &json_.object(*member);
-            else unknown_member(*member, "`type`, `name`, `position`, `muted`, `parameters`, `inputs`");
-        }
-        read_parameters(*type, parameters, node);
-    }
-
-    // Only what can be shown of it; the text is the node.
-    void read_placeholder(const Entry& entry, Node& node) const
-    {
-        const JsonValue& value = *entry.value;
-        node.unknown_source = json_.source(value);
-        const JsonValue* name = json_.member(value, "name");
-        if (name && name->kind == JsonKind::string && name->string.size() <= name_limit) node.name = name->string;
-        const JsonValue* muted = json_.member(value, "muted");
-        if (muted && muted->kind == JsonKind::boolean) node.muted = muted->truth;
-        const JsonValue* position = json_.member(value, "position");
-        if (!position || position->kind != JsonKind::array || position->count != 2) return;
-        const JsonValue* x = json_.first_child(*position);
-        const JsonValue* y = json_.next_sibling(*x);
-        if (x->kind == JsonKind::number && y->kind == JsonKind::number)
-            node.position = {json_.number(*x), json_.number(*y)};
-    }
-
-    void read_parameters(const NodeType& type, const JsonValue* object, Node& node) const
-    {
-        node.parameters.reserve(type.parameters.size());
-        for (const Parameter& parameter : type.parameters)
-            if (parameter.kind != ParameterKind::material)
-                node.parameters.emplace_back(parameter.name, parameter.initial);
-        if (!object) return;
-        for (const JsonValue* member = json_.first_child(*object); member; member = json_.next_sibling(*member)) {
-            const Parameter* parameter = type.parameter(member->key);
-            if (!parameter)
-                json_.fail_at_key(
-                    *member, "is not a parameter of `" + type.name + "`; its parameters are " + parameter_names(type));
-            if (parameter->kind == ParameterKind::material)
-                json_.fail_at_key(*member, "is a socket without a value; wire a material to it under `inputs`");
-            Value value = value_of(*parameter, *member);
-            if (std::string error = value_error(*parameter, value); !error.empty()) json_.fail(*member, error);
-            auto place = std::find_if(node.parameters.begin(), node.parameters.end(),
-                                      [&](const auto& known) { return known.first == parameter->name; });
-            place->second = std::move(value);
-        }
-    }
-
-    Value value_of(const Parameter& parameter, const JsonValue& value) const
-    {
-        switch (parameter.kind) {
-            case ParameterKind::number:
-            case ParameterKind::angle: return json_.number(value);
-            case ParameterKind::integer: return small_integer(value);
-            case ParameterKind::boolean: return json_.boolean(value);
-            case ParameterKind::choice:
-            case ParameterKind::text:
-            case ParameterKind::formula:
-            case ParameterKind::image: return std::string(json_.string(value));
-            case ParameterKind::vec2: return vector<2>(value);
-            case ParameterKind::vec3:
-            case ParameterKind::angles:
-            case ParameterKind::colour: return vector<3>(value);
-            case ParameterKind::list: return points(value);
-            case ParameterKind::material: break;
-        }
-        return {};
-    }
-
-    template <int size>
-    glm::vec<size, float> vector(const JsonValue& value) const
-    {
-        if (value.kind != JsonKind::array || value.count != size)
-            json_.fail(value, size == 2 ? "must be two numbers; write e.g. [0.0, 0.0]"
-                                        : "must be three numbers; write e.g. [0.0, 0.0, 0.0]");
-        glm::vec<size, float> result(0.0f);
-        int i = 0;
-        for (const JsonValue* part = json_.first_child(value); part; part = json_.next_sibling(*part))
-            result[i++] = json_.number(*part);
-        return result;
-    }
-
-    PointList points(const JsonValue& value) const
-    {
-        PointList list;
-        list.reserve(json_.array(value).count);
-        for (const JsonValue* point = json_.first_child(value); point; point = json_.next_sibling(*point)) {
-            if (point->kind != JsonKind::array || point->count < 2 || point->count > 4)
-                json_.fail(*point, "must be a point of two to four numbers; write e.g. [0.0, 1.0]");
-            glm::vec4& target = list.emplace_back(0.0f);
-            int i = 0;
-            for (const JsonValue* part = json_.first_child(*point); part; part = json_.next_sibling(*part))
-                target[i++] = json_.number(*part);
-        }
-        return list;
     }
 
     void next_id(const JsonValue* value)
@@ -535,7 +308,7 @@ private:
         remove_nodes(document_, placeholders);
     }
 
-    JsonTree json_;
+    SceneJson json_;
     const Library& plain_;
     std::shared_ptr<const Library> own_library_;  // of the types that the text brings, when it does
     std::shared_ptr<const Library> known_;        // with the groups read so far
@@ -558,7 +331,8 @@ Document read_scene(std::string_view text, const Library& library, std::string_v
 
 Value read_value(std::string_view json, const Parameter& parameter)
 {
-    return SceneReader(json, *Library::embedded(), "value").read_value(parameter);
+    SceneJson tree(json, "value");
+    return read_value(tree, tree.root(), parameter);
 }
 
 Fragment read_fragment(std::string_view text, const Library& library, std::string_view name)

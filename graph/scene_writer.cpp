@@ -19,10 +19,13 @@ public:
         text("format", "fieldwright");
         raw("version", std::to_string(document.version));
         raw("next_id", std::to_string(document.next_id));
-        march(document.march);
-        open("occlusion");
-        numbers(document.occlusion, occlusion_numbers);
-        close();
+        settings("march", document.march, march_table);
+        settings("occlusion", document.occlusion, occlusion_table);
+        // Scenes without are written as they were before there was any.
+        if (document.fog != FogSettings{}) settings("fog", document.fog, fog_table);
+        if (document.bounces != 0) raw("bounces", std::to_string(document.bounces));
+        settings("picture", document.picture, picture_table);
+        settings("animation", document.animation, animation_table);
         types(document.own_types);
         open("graphs");
         open("root");
@@ -104,22 +107,21 @@ private:
         close();
     }
 
-    void march(const MarchSettings& settings)
+    template <typename Settings>
+    void settings(std::string_view name, const Settings& settings, const SettingTable<Settings>& table)
     {
-        open("march");
-        raw("step_limit", std::to_string(settings.step_limit));
-        numbers(settings, march_numbers);
-        text("out_of_steps", settings.out_of_steps_hits ? "hit" : "miss");
-        close();
-    }
-
-    template <typename Settings, typename Numbers>
-    void numbers(const Settings& settings, const Numbers& list)
-    {
-        for (const SettingNumber<Settings>& number : list) {
+        open(name);
+        for (const auto& count : table.counts) raw(count.name, std::to_string(settings.*count.member));
+        for (const auto& number : table.numbers) {
             key(number.name);
             append_json_number(out_, settings.*number.member);
         }
+        for (const auto& choice : table.choices) text(choice.name, choice.words[choice.chosen(settings)]);
+        for (const auto& colour : table.colours) {
+            key(colour.name);
+            vector(&(settings.*colour.member).x, 3);
+        }
+        close();
     }
 
     void write_node(const Node& node)

@@ -11,6 +11,8 @@
 namespace fieldwright::graph {
 namespace {
 
+constexpr std::size_t memo_limit = 32;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Cell {
@@ -104,6 +106,15 @@ private:
 SlopeBound slope_bound(const Formula& formula, std::span<const Interval> variables)
 {
     return Search(formula, variables).run();
+}
+
+SlopeBound SlopeMemo::bound(const Formula& formula, std::span<const Interval> variables)
+{
+    for (const Entry& entry : entries_)
+        if (entry.formula == formula && std::ranges::equal(entry.variables, variables)) return entry.bound;
+    if (entries_.size() >= memo_limit) entries_.pop_front();
+    entries_.push_back({formula, {variables.begin(), variables.end()}, slope_bound(formula, variables)});
+    return entries_.back().bound;
 }
 
 }  // namespace fieldwright::graph

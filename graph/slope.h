@@ -3,6 +3,8 @@
 
 #include "graph/formula.h"
 
+#include <deque>
+
 namespace fieldwright::graph {
 
 struct Interval {
@@ -19,5 +21,19 @@ struct SlopeBound {
 // The largest length of the gradient along x, y and z, found to about a twentieth in a few hundred cells. By variable:
 // where it lies.
 SlopeBound slope_bound(const Formula& formula, std::span<const Interval> variables);
+
+// The bounds of the formulas that were asked for last: an edit elsewhere in a scene searches for none of them again.
+class SlopeMemo {
+public:
+    SlopeBound bound(const Formula& formula, std::span<const Interval> variables);
+
+private:
+    struct Entry {
+        Formula formula;
+        std::vector<Interval> variables;
+        SlopeBound bound;
+    };
+    std::deque<Entry> entries_;  // the newest last
+};
 
 }  // namespace fieldwright::graph

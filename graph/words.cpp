@@ -59,6 +59,8 @@ std::string socket_label(const NodeType* type, std::string_view socket)
 {
     if (type && type->parameter(socket)) return in_words(socket);
     if (const Socket* found = type ? type->input(socket) : nullptr; found && !found->title.empty()) return found->title;
+    if (type && type->most_inputs > 0 && socket == "a") return "Shape 1";
+    if (type && type->most_inputs > 0 && socket == "b") return "Shape 2";
     if (socket == "d") return "Shape";
     if (socket == "a") return "First shape";
     if (socket == "b") return "Second shape";

@@ -22,8 +22,28 @@ Rows march_rows(const graph::Program& program)
     set("near_limit", program.march.near);
     set("far_limit", program.march.far);
     set("out_of_steps_hits", program.march.out_of_steps_hits ? 1.0f : 0.0f);
+    set("step_scale", graph::step_scale(program.march));
+    set("constant_step", program.march.constant_step);
+    set("normal_step", program.march.normal_step);
+    set("occlusion_samples", static_cast<float>(program.occlusion.samples));
     set("occlusion_strength", program.occlusion.strength);
     set("occlusion_radius", program.occlusion.radius);
+    set("bisects", program.march.constant_steps ? 1.0f : 0.0f);
+    set("central_normals", program.march.central_normals ? 1.0f : 0.0f);
+    set("smallest_occlusion", program.occlusion.smallest_ratio ? 1.0f : 0.0f);
+    set("tracks_cone", graph::tracks_cone(program) ? 1.0f : 0.0f);
+    return rows;
+}
+
+Rows fog_rows(const graph::Program& program)
+{
+    const graph::Library& library = *program.library;
+    Rows rows(structure_lanes(library, "Fog"));
+    auto lane = [&](std::string_view member) { return member_lane(library, "Fog", member); };
+    for (int k = 0; k < 3; ++k) rows.fill(lane("colour") + k, program.fog.colour[k]);
+    rows.fill(lane("density"), program.fog.density);
+    rows.fill(lane("start"), program.fog.start);
+    rows.fill(lane("height_falloff"), program.fog.height_falloff);
     return rows;
 }
 
@@ -42,11 +62,26 @@ Rows camera_rows(const graph::Library& library, const ViewCamera& camera)
     return rows;
 }
 
+// As in shaders/gpu/pixel.glsl: loop iterations of a ray beside its steps.
+int ray_overhead(const graph::Program& program)
+{
+    return 1 + graph::shadow_count(program) + static_cast<int>(program.lights.size()) + 2;
+}
+
 std::vector<field::Evaluator> light_evaluators(const graph::Program& program, const field::KernelTable& table)
 {
     std::vector<field::Evaluator> evaluators;
     for (const graph::LightEntry& light : program.lights) evaluators.emplace_back(program, light.entry, table);
     return evaluators;
+}
+
+// By light: the kind of its shadow.
+std::vector<Rows> shadow_rows(const graph::Program& program)
+{
+    std::vector<Rows> rows;
+    for (const graph::LightEntry& light : program.lights)
+        rows.push_back(constant_rows(static_cast<float>(light.shadow)));
+    return rows;
 }
 
 }  // namespace
@@ -56,13 +91,23 @@ StructureLanes::StructureLanes(const graph::Library& library)
       material(structure_lanes(library, "Material")),
       light(structure_lanes(library, "Light")),
       ray(structure_lanes(library, "Ray")),
+      bounce(structure_lanes(library, "Bounce")),
+      split(structure_lanes(library, "Split")),
+      probe_origin(member_lane(library, "Probe", "origin")),
+      probe_direction(member_lane(library, "Probe", "direction")),
       probe_t(member_lane(library, "Probe", "t")),
       probe_steps(member_lane(library, "Probe", "steps")),
       probe_budget(member_lane(library, "Probe", "budget")),
       probe_exhausted(member_lane(library, "Probe", "exhausted")),
+      probe_gradient(member_lane(library, "Probe", "gradient")),
       probe_openness(member_lane(library, "Probe", "openness")),
+      probe_cone_ratio(member_lane(library, "Probe", "cone_ratio")),
+      material_albedo(member_lane(library, "Material", "albedo")),
+      material_emission(member_lane(library, "Material", "emission")),
       ray_direction(member_lane(library, "Ray", "direction")),
-      ray_forward(member_lane(library, "Ray", "forward"))
+      ray_forward(member_lane(library, "Ray", "forward")),
+      bounce_side(member_lane(library, "Bounce", "side")),
+      bounce_way(member_lane(library, "Bounce", "way"))
 {
 }
 
@@ -70,29 +115,52 @@ CpuScene::CpuScene(const graph::Program& program, const FrameRequest& frame_requ
     : request(frame_request),
       block(field::evaluate_frame(program, frame_request.time)),
       lanes(*program.library),
-      shadow_count(renderer::shadow_count(program)),
+      shadow_count(graph::shadow_count(program)),
+      features(codegen::features_of(program, block, frame_request.layers)),
+      far_limit(program.march.far),
+      fog_colour(program.fog.colour),
       distance(program, program.distance, table),
       surface(program, program.surface, table),
       ray(program, program.ray, table),
       sky(program, program.sky, table),
       lights(light_evaluators(program, table)),
+      shadows(shadow_rows(program)),
       march(march_rows(program)),
+      fog(fog_rows(program)),
       budget(constant_rows(static_cast<float>(program.step_budget))),
+      bounces(constant_rows(static_cast<float>(program.bounces))),
+      overhead(constant_rows(static_cast<float>(ray_overhead(program)))),
       eye(constant_rows(eye_side(frame_request.eye))),
       interaxial(constant_rows(frame_request.interaxial)),
       convergence(constant_rows(frame_request.convergence)),
+      toe_in(constant_rows(frame_request.toe_in ? 1.0f : 0.0f)),
       view_ray("view_ray", table),
       stereo_ray("stereo_ray", table),
       eye_probe("eye_probe", table),
       shadow_probe("shadow_probe", table),
       probe_point("probe_point", table),
-      advance("advance", table),
+      advance(program.march.constant_steps ? "advance_bisecting" : "advance", table),
+      narrowed("narrowed", table),
       probe_done("probe_done", table),
       probe_missed("probe_missed", table),
+      shadow_visibility("shadow_visibility", table),
       probe_normal("probe_normal", table),
+      ambient_spread("ambient_spread", table),
       ambient_direction("ambient_direction", table),
       shade_ambient("shade_ambient", table),
-      shade_light("shade_light", table)
+      shade_light("shade_light", table),
+      shade_diffuse("shade_diffuse", table),
+      shade_specular("shade_specular", table),
+      eye_bounce("eye_bounce", table),
+      bounce_probe("bounce_probe", table),
+      split_light("split_light", table),
+      scattering_material("scattering_material", table),
+      ambient_material("ambient_material", table),
+      bounce_weight("bounce_weight", table),
+      bounce_shows("bounce_shows", table),
+      mirrored_bounce("mirrored_bounce", table),
+      refracted_bounce("refracted_bounce", table),
+      fog_transmittance("fog_transmittance", table)
 {
     if (request.camera) view_camera = camera_rows(*program.library, *request.camera);
 }

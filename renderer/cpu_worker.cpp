@@ -56,12 +56,13 @@ bool CpuWorker::draw_passes(const Job& job)
     for (const PassPlan& plan : passes(request, pace, seconds_to_first, shown_divisor)) {
         std::optional<double> seconds = PicturePass(desk_, frames_, Device::cpu, job, plan).draw(draw_on_cpu);
         if (!seconds) return false;
-        double eyes = request.stereo == Stereo::off ? 1 : 2;
+        if (request.frame.slice) continue;  // says nothing about pictures of rays
+        double eyes = is_stereo(request) ? 2 : 1;
         pace_.note(*request.program, *seconds / eyes, pixel_count(divided(request.frame, plan.divisor)));
         desk_.note_pace(Device::cpu, pace_.seconds_per_pixel(*request.program));
         last_failure_.clear();
     }
-    return true;
+    return accumulation_.go_on(desk_, frames_, Device::cpu, job, draw_on_cpu);
 }
 
 }  // namespace fieldwright::renderer

@@ -1,7 +1,7 @@
 // The thread that draws pictures on all cores.
 #pragma once
 
-#include "renderer/picture_pass.h"
+#include "renderer/accumulation.h"
 #include "renderer/quiet_arena.h"
 
 namespace fieldwright::renderer {
@@ -21,6 +21,7 @@ private:
     QuietArena arena_;
     Pace pace_;
     FramePool frames_;
+    Accumulation accumulation_;
     std::string last_failure_;  // said once, until something is drawn
 };
 

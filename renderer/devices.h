@@ -12,7 +12,7 @@ namespace fieldwright::renderer {
 Frame render_on_cpu(const graph::Program& program, const FrameRequest& request, const Progress& progress = {});
 // Whether the program and the shading library are those that the CPU's kernels were compiled from.
 bool runs_on_cpu(const graph::Program& program);
-// Draws over the frame, which has the request's size, tile by tile; false when the watch cancelled it.
+// Draws over the frame, which has the size of the request's part, tile by tile; false when the watch cancelled it.
 bool draw_on_cpu(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch);
 
 // The driver reset the GPU: the device is of no more use, a new one may be.
@@ -31,13 +31,13 @@ public:
     bool software() const;              // llvmpipe, softpipe, swrast
     // Compiles when the text changed (else only uploads values), draws in strips of <= 15 ms. Failure{6} on GLSL errors.
     Frame render(const graph::Program& program, const FrameRequest& request, const Progress& progress = {});
-    // Draws over the frame, which has the request's size, from the top; false when the watch cancelled it.
+    // Draws over the frame, which has the size of the request's part, from the top; false when the watch cancelled it.
     bool draw(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch);
     // The shader that would draw the program, and whether it is linked: of the last few texts, so that undo is at once.
-    std::string shader_text(const graph::Program& program, float time) const;
+    std::string shader_text(const graph::Program& program, float time, bool layers = false) const;
     bool linked(const std::string& text) const;
     // Links it and draws one pixel, since drivers finish compiling at the first draw. Blocks; Failure{6} on GLSL errors.
-    void link(const std::string& text);
+    void link(const std::string& text, bool layers = false);
     // Distances of the distance entry at points, by the same text (tests and `eval --device gpu`).
     std::vector<float> distances(const graph::Program& program, float time, const std::vector<glm::vec3>& points);
     // Number of program links so far.
@@ -46,6 +46,8 @@ public:
     double ready_seconds(const std::string& fragment_shader);
 
 private:
+    bool draw_slice(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch);
+
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -7,13 +7,33 @@ namespace fieldwright::renderer {
 
 float eye_side(Eye eye) { return eye == Eye::left ? -1.0f : (eye == Eye::right ? 1.0f : 0.0f); }
 
-int shadow_count(const graph::Program& program)
+Area drawn_area(const FrameRequest& request)
 {
-    auto is_shadowed = [](const graph::LightEntry& light) { return light.shadow; };
-    return static_cast<int>(std::count_if(program.lights.begin(), program.lights.end(), is_shadowed));
+    return request.part.value_or(Area{0, 0, request.width, request.height});
 }
 
-Frame::Frame(int frame_width, int frame_height) : width(frame_width), height(frame_height)
+Layers::Layers(std::size_t pixels)
+    : ambient(pixels),
+      diffuse(pixels),
+      specular(pixels),
+      reflection(pixels),
+      emission(pixels),
+      albedo(pixels),
+      position(pixels),
+      shadow(pixels),
+      occlusion(pixels),
+      gradient_length(pixels),
+      minimum_cone_ratio(pixels),
+      shadow_steps(pixels)
+{
+}
+
+glm::vec3 Layers::colour(std::size_t pixel) const
+{
+    return ambient[pixel] + diffuse[pixel] + specular[pixel] + reflection[pixel] + emission[pixel];
+}
+
+Frame::Frame(int frame_width, int frame_height, bool with_layers) : width(frame_width), height(frame_height)
 {
     auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     colour.resize(pixels);
@@ -23,6 +43,7 @@ Frame::Frame(int frame_width, int frame_height) : width(frame_width), height(fra
     material_id.resize(pixels);
     steps.resize(pixels);
     exhausted.resize(pixels);
+    if (with_layers) layers.emplace(pixels);
 }
 
 }  // namespace fieldwright::renderer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "graph/program.h"
+#include "renderer/slice.h"
 
 #include <functional>
 #include <limits>
@@ -12,8 +13,7 @@ namespace fieldwright::renderer {
 
 enum class Eye { centre, left, right };
 
-float eye_side(Eye eye);                          // -1 left, 0 centre, 1 right
-int shadow_count(const graph::Program& program);  // lights that cast shadows; they come first
+float eye_side(Eye eye);  // -1 left, 0 centre, 1 right
 
 // A viewport's own camera: moving it is not an edit, and links no program.
 struct ViewCamera {
@@ -23,26 +23,58 @@ struct ViewCamera {
     bool operator==(const ViewCamera&) const = default;
 };
 
+// Pixels of a picture; y counts from the top.
+struct Area {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const Area&) const = default;
+};
+
 struct FrameRequest {
-    int width = 640, height = 360;  // px
+    int width = 640, height = 360;  // px, of the whole picture
     float time = 0;                 // s
     Eye eye = Eye::centre;
     float interaxial = 0.065f;                        // m
     float convergence = 5.0f;                         // m, along the view axis
+    bool toe_in = false;                              // the eyes turn to that point, else off-axis
     std::optional<ViewCamera> camera = std::nullopt;  // else the scene's camera node
+    std::optional<Slice> slice = std::nullopt;  // shows the field on a plane instead; eyes and camera do not count
+    std::optional<Area> part = std::nullopt;    // of the picture, that alone is drawn: frames have its size
+    // One of a pixel's samples (renderer/samples.h).
+    glm::vec2 offset{0};  // px from the pixel's centre, y up
+    glm::vec2 lens{0};    // where its ray crosses the camera's lens, in the unit disk
+    bool layers = false;  // a second shader, compiled when first asked for
 
     bool operator==(const FrameRequest&) const = default;
 };
 
-// Pixels of a picture; y counts from the top.
-struct Area {
-    int x = 0, y = 0, width = 0, height = 0;
+Area drawn_area(const FrameRequest& request);  // the part of the picture, or all of it
+
+// What the colour is made of and how it was found, by pixel like a frame's rows. In linear Rec.709
+//   colour = ambient + diffuse + specular + reflection + emission,
+// each as it reaches the eye: shadowed, occluded and behind the fog (docs/layers.md).
+struct Layers {
+    explicit Layers(std::size_t pixels);
+    glm::vec3 colour(std::size_t pixel) const;  // the sum
+
+    std::vector<glm::vec3> ambient;         // the sky's light
+    std::vector<glm::vec3> diffuse;         // the lights', scattered
+    std::vector<glm::vec3> specular;        // the lights', mirrored: highlights
+    std::vector<glm::vec3> reflection;      // what further rays bring, mirrored or through glass
+    std::vector<glm::vec3> emission;        // the surface's own, the fog's, and the sky where nothing was hit
+    std::vector<glm::vec3> albedo;          // of the material; 0 on a miss
+    std::vector<glm::vec3> position;        // world space, m; 0 on a miss
+    std::vector<float> shadow;              // mean visibility of the lights that cast shadows, 0 to 1; 1 on a miss
+    std::vector<float> occlusion;           // 1 where nothing occludes, and on a miss
+    std::vector<float> gradient_length;     // of the field at the hit, 1 of a true distance; 0 on a miss
+    std::vector<float> minimum_cone_ratio;  // smallest distance / way of the eye ray: how near it passed to something
+    std::vector<int> shadow_steps;          // of all shadow rays that start at the hit
 };
 
-// Sample 0 of each pixel. Row 0 is the top. All rows have width * height elements.
+// Sample 0 of each pixel; of a picture of several samples the colour, and the layers it is made of, are their mean. Row 0
+// is the top. All rows have width * height elements.
 struct Frame {
     Frame() = default;
-    Frame(int width, int height);
+    Frame(int width, int height, bool with_layers = false);
 
     int width = 0, height = 0;
     std::vector<glm::vec3> colour;          // linear Rec.709, before tone mapping
@@ -51,6 +83,10 @@ struct Frame {
     std::vector<int> node_id, material_id;  // 0 on a miss, and where the program was lowered without ids
     std::vector<int> steps;                 // of the eye ray
     std::vector<unsigned char> exhausted;   // 1 where the step budget or limit ran out
+    // Share of the pixel that is opaque; empty: all of it is. Where it is less than 1, colours are multiplied by it.
+    std::vector<float> alpha;
+    std::optional<Layers> layers;  // when the request asked for them
+    std::int64_t evaluations = 0;  // of the field, by all rays together; 0 where the device does not count
 };
 
 using Progress = std::function<void(float fraction)>;

@@ -97,7 +97,8 @@ void FloatTexture::bind(int unit) const
     glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
 }
 
-FloatTarget::FloatTarget(int width, int height, int attachments) : width_(width), height_(height)
+FloatTarget::FloatTarget(int width, int height, int attachments)
+    : width_(width), height_(height), textures_(static_cast<std::size_t>(attachments))
 {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
@@ -107,12 +108,12 @@ FloatTarget::FloatTarget(int width, int height, int attachments) : width_(width)
                                     std::to_string(limit) + " pixels a side; choose a smaller --size or --device cpu");
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     std::vector<GLenum> buffers;
-    for (int i = 0; i < attachments; ++i) {
-        glBindTexture(GL_TEXTURE_2D, textures_[i].name());
+    for (const Texture& texture : textures_) {
+        glBindTexture(GL_TEXTURE_2D, texture.name());
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
-        glFramebufferTexture2D(GL_FRAMEBUFFER, buffers.back(), GL_TEXTURE_2D, textures_[i].name(), 0);
+        buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size()));
+        glFramebufferTexture2D(GL_FRAMEBUFFER, buffers.back(), GL_TEXTURE_2D, texture.name(), 0);
     }
     glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)

@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace fieldwright::renderer {
 
@@ -91,7 +92,7 @@ private:
     Texture texture_;
 };
 
-// A framebuffer of RGBA32F attachments.
+// A framebuffer of RGBA32F attachments, at most the eight that GL 3.3 promises.
 class FloatTarget {
 public:
     FloatTarget(int width, int height, int attachments);  // throws graph::Failure{1} when the driver refuses the size
@@ -104,7 +105,7 @@ public:
 private:
     int width_, height_;
     Framebuffer framebuffer_;
-    Texture textures_[3];
+    std::vector<Texture> textures_;
 };
 
 }  // namespace fieldwright::renderer

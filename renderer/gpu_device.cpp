@@ -5,6 +5,7 @@
 #include "field/evaluator.h"
 #include "renderer/gl_handles.h"
 #include "renderer/headless_context.h"
+#include "renderer/slice_tile.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +18,9 @@ namespace {
 constexpr double strip_seconds = 0.015;  // aimed at; a longer draw makes other programs on the GPU stutter
 constexpr int smallest_strip = 4;        // px; software GL shades 4x4 pixels at once
 constexpr int points_across = 256;       // distances per row of the target, and rows per draw
+constexpr int slice_band = 128;          // px
 constexpr int list_unit = 0, points_unit = 1;
+constexpr int plain_attachments = 3, layer_attachments = 8;  // outputs of shaders/gpu/main.glsl
 
 double seconds_since(std::chrono::steady_clock::time_point start)
 {
@@ -101,18 +104,32 @@ void set_march(const Shader& shader, const graph::Program& program)
     shader.set("march.near_limit", program.march.near);
     shader.set("march.far_limit", program.march.far);
     shader.set("march.out_of_steps_hits", program.march.out_of_steps_hits ? 1 : 0);
+    shader.set("march.step_scale", graph::step_scale(program.march));
+    shader.set("march.constant_step", program.march.constant_step);
+    shader.set("march.normal_step", program.march.normal_step);
+    shader.set("march.occlusion_samples", program.occlusion.samples);
     shader.set("march.occlusion_strength", program.occlusion.strength);
     shader.set("march.occlusion_radius", program.occlusion.radius);
     shader.set("step_budget", program.step_budget);
-    shader.set("ray_count", 1 + shadow_count(program));
+    shader.set("ray_count", 1 + graph::shadow_count(program));
+    shader.set("fog.colour", program.fog.colour);
+    shader.set("fog.density", program.fog.density);
+    shader.set("fog.start", program.fog.start);
+    shader.set("fog.height_falloff", program.fog.height_falloff);
 }
 
 void set_view(const Shader& shader, const FrameRequest& request)
 {
     glUniform2f(shader.uniform("resolution"), static_cast<float>(request.width), static_cast<float>(request.height));
+    Area part = drawn_area(request);
+    int below = request.height - part.y - part.height;
+    glUniform2f(shader.uniform("first_pixel"), static_cast<float>(part.x), static_cast<float>(below));
+    glUniform2f(shader.uniform("offset"), request.offset.x, request.offset.y);
+    glUniform2f(shader.uniform("lens"), request.lens.x, request.lens.y);
     shader.set("eye", eye_side(request.eye));
     shader.set("interaxial", request.interaxial);
     shader.set("convergence", request.convergence);
+    shader.set("toe_in", request.toe_in ? 1.0f : 0.0f);
     shader.set("has_view", request.camera ? 1 : 0);
     if (!request.camera) return;
     shader.set("view.position", request.camera->position);
@@ -145,8 +162,54 @@ void read_flipped(const FloatTarget& target, int attachment, int frame_height, c
         for (std::size_t x = 0; x < width; ++x) visit(first + y * width + x, scratch[(rows - 1 - y) * width + x]);
 }
 
+// The inverse of shaders/gpu/main.glsl's.
+glm::vec3 from_octahedral(float x, float y)
+{
+    float z = 1.0f - std::abs(x) - std::abs(y);
+    float fold = std::max(-z, 0.0f);
+    return glm::normalize(glm::vec3(x - std::copysign(fold, x), y - std::copysign(fold, y), z));
+}
+
+// The buffers of shaders/gpu/main.glsl with layers.
+void read_layers(Frame& frame, const FloatTarget& target, const Area& strip)
+{
+    Layers& layers = *frame.layers;
+    std::vector<glm::vec4> scratch;
+    auto read = [&](int attachment, const auto& visit) {
+        read_flipped(target, attachment, frame.height, strip, scratch, visit);
+    };
+    auto read_split = [&](int attachment, std::vector<glm::vec3>& first, const auto& last) {
+        read(attachment, [&](std::size_t i, const glm::vec4& texel) {
+            first[i] = glm::vec3(texel);
+            last(i) = static_cast<std::remove_reference_t<decltype(last(i))>>(texel.w);
+        });
+    };
+    read(0, [&](std::size_t i, const glm::vec4& texel) {
+        frame.depth[i] = texel.x < 0 ? std::numeric_limits<float>::infinity() : texel.x;
+        frame.node_id[i] = static_cast<int>(texel.y);
+        frame.material_id[i] = static_cast<int>(texel.z);
+        frame.exhausted[i] = texel.w < 0;
+        frame.steps[i] = static_cast<int>(texel.w < 0 ? -1 - texel.w : texel.w);
+    });
+    read(1, [&](std::size_t i, const glm::vec4& texel) {
+        frame.normal[i] = std::isinf(frame.depth[i]) ? glm::vec3(0) : from_octahedral(texel.x, texel.y);
+        layers.occlusion[i] = texel.z;
+        layers.minimum_cone_ratio[i] = texel.w;
+    });
+    read_split(2, layers.position, [&](std::size_t i) -> float& { return layers.shadow[i]; });
+    read_split(3, layers.albedo, [&](std::size_t i) -> float& { return layers.gradient_length[i]; });
+    read_split(4, layers.ambient, [&](std::size_t i) -> int& { return layers.shadow_steps[i]; });
+    read_split(5, layers.diffuse, [&](std::size_t i) -> float& { return layers.emission[i].r; });
+    read_split(6, layers.specular, [&](std::size_t i) -> float& { return layers.emission[i].g; });
+    read_split(7, layers.reflection, [&](std::size_t i) -> float& { return layers.emission[i].b; });
+    for (std::size_t i = static_cast<std::size_t>(strip.y) * static_cast<std::size_t>(strip.width), n = 0;
+         n < static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height); ++n, ++i)
+        frame.colour[i] = layers.colour(i);
+}
+
 void read_strip(Frame& frame, const FloatTarget& target, const Area& strip)
 {
+    if (frame.layers) return read_layers(frame, target, strip);
     std::vector<glm::vec4> scratch;
     read_flipped(target, 0, frame.height, strip, scratch, [&](std::size_t i, const glm::vec4& texel) {
         frame.colour[i] = glm::vec3(texel);
@@ -171,12 +234,12 @@ struct GpuDevice::State {
     Buffer block;
     FloatTexture lists, points;
     ShaderCache shaders;
-    std::optional<FloatTarget> target;
+    std::optional<FloatTarget> plain_target, layer_target;
 
     State();
     codegen::Placement placement(std::span<const float> values) const;
     void upload(const Shader& shader, const graph::Program& program, std::span<const float> values);
-    void size_target(int width, int height);  // at least
+    FloatTarget& bound_target(int width, int height, bool layers = false);  // of at least that size
 };
 
 GpuDevice::State::State()
@@ -213,14 +276,16 @@ void GpuDevice::State::upload(const Shader& shader, const graph::Program& progra
     shader.set("list_texture", list_unit);
 }
 
-void GpuDevice::State::size_target(int width, int height)
+FloatTarget& GpuDevice::State::bound_target(int width, int height, bool layers)
 {
+    std::optional<FloatTarget>& target = layers ? layer_target : plain_target;
     if (!target || target->width() < width || target->height() < height) {
         target.reset();
-        target.emplace(width, height, 3);
+        target.emplace(width, height, layers ? layer_attachments : plain_attachments);
     }
     target->bind();
     glViewport(0, 0, width, height);
+    return *target;
 }
 
 GpuDevice::GpuDevice() : state_(std::make_unique<State>()) {}
@@ -239,50 +304,67 @@ std::string GpuDevice::renderer_name() const { return state_->name; }
 bool GpuDevice::software() const { return is_software(state_->name); }
 int GpuDevice::links() const { return state_->shaders.links(); }
 
-std::string GpuDevice::shader_text(const graph::Program& program, float time) const
+std::string GpuDevice::shader_text(const graph::Program& program, float time, bool layers) const
 {
     std::vector<float> values = field::evaluate_frame(program, time);
-    return codegen::print_fragment_shader(program, values, state_->placement(values));
+    return codegen::print_fragment_shader(program, values, state_->placement(values), layers);
 }
 
 bool GpuDevice::linked(const std::string& text) const { return state_->shaders.find(text) != nullptr; }
 
-void GpuDevice::link(const std::string& text)
+void GpuDevice::link(const std::string& text, bool layers)
 {
     state_->context.make_current();
     if (linked(text)) return;
     const Shader& shader = state_->shaders.use(text);
     shader.use();
-    state_->size_target(1, 1);
+    state_->bound_target(1, 1, layers);
     draw_rows(1, 0, 1);
     require_context();
 }
 
+// A band at a time, so that a newer request is heard.
+bool GpuDevice::draw_slice(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch)
+{
+    auto distances_at = [&](std::span<const glm::vec3> points) {
+        return distances(program, request.time, {points.begin(), points.end()});
+    };
+    for (int y = 0; y < request.height; y += slice_band) {
+        if (watch.stops()) return false;
+        Area band{0, y, request.width, std::min(slice_band, request.height - y)};
+        draw_slice_area(frame, request, band, distances_at);
+        if (watch.part_drawn) watch.part_drawn(frame, band);
+    }
+    return true;
+}
+
 bool GpuDevice::draw(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch)
 {
+    frame.evaluations = 0;
+    if (request.slice) return draw_slice(frame, program, request, watch);
     state_->context.make_current();
     std::vector<float> values = field::evaluate_frame(program, request.time);
-    std::string text = codegen::print_fragment_shader(program, values, state_->placement(values));
+    std::string text = codegen::print_fragment_shader(program, values, state_->placement(values), request.layers);
     bool linked_before = linked(text);
     const Shader& shader = state_->shaders.use(text);
     state_->upload(shader, program, values);
     set_march(shader, program);
     set_view(shader, request);
-    state_->size_target(request.width, request.height);
+    FloatTarget& target = state_->bound_target(frame.width, frame.height, request.layers);
     if (!linked_before) draw_rows(1, 0, 1);  // or compiling would size the strips
-    return draw_in_strips(request.width, request.height, [&](const Area& strip) {
-        read_strip(frame, *state_->target, strip);
+    return draw_in_strips(frame.width, frame.height, [&](const Area& strip) {
+        read_strip(frame, target, strip);
         require_context();
         if (watch.part_drawn) watch.part_drawn(frame, strip);
         if (watch.progress)
-            watch.progress(static_cast<float>(strip.y + strip.height) / static_cast<float>(request.height));
+            watch.progress(static_cast<float>(strip.y + strip.height) / static_cast<float>(frame.height));
         return !watch.stops();
     });
 }
 
 Frame GpuDevice::render(const graph::Program& program, const FrameRequest& request, const Progress& progress)
 {
-    Frame frame(request.width, request.height);
+    Frame frame(drawn_area(request).width, drawn_area(request).height, request.layers);
     draw(frame, program, request, {.progress = progress});
     return frame;
 }
@@ -296,7 +378,7 @@ std::vector<float> GpuDevice::distances(const graph::Program& program, float tim
     state_->upload(shader, program, values);
     shader.set("points", points_unit);
     shader.set("points_per_row", points_across);
-    state_->size_target(points_across, points_across);
+    FloatTarget& target = state_->bound_target(points_across, points_across);
 
     constexpr std::size_t batch = points_across * points_across;
     std::vector<glm::vec4> texels(batch);
@@ -308,7 +390,7 @@ std::vector<float> GpuDevice::distances(const graph::Program& program, float tim
         state_->points.upload(&texels[0].x, batch);
         draw_rows(points_across, 0, static_cast<int>((count + points_across - 1) / points_across));
         std::vector<glm::vec4> drawn(batch);
-        state_->target->read(0, {0, 0, points_across, points_across}, &drawn[0].x);
+        target.read(0, {0, 0, points_across, points_across}, &drawn[0].x);
         for (std::size_t i = 0; i < count; ++i) result.push_back(drawn[i].x);
     }
     require_context();
@@ -319,7 +401,7 @@ double GpuDevice::ready_seconds(const std::string& fragment_shader)
 {
     constexpr int size = 64;
     state_->context.make_current();
-    state_->size_target(size, size);
+    state_->bound_target(size, size);
     auto start = std::chrono::steady_clock::now();
     Shader shader(fragment_shader);
     shader.use();

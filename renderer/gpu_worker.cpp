@@ -77,7 +77,9 @@ void GpuWorker::lose(const Job& job)
 void GpuWorker::draw(const Job& job)
 {
     const PictureRequest& request = *job.request;
-    std::string text = device_->shader_text(*request.program, request.frame.time);
+    if (request.frame.slice && !must_draw(job))
+        return desk_.decided(job);  // one distance a pixel: nothing to compile for
+    std::string text = device_->shader_text(*request.program, request.frame.time, request.frame.layers);
     bool ready = !refused_.contains(text) && make_ready(job, text);
     if (auto refused = refused_.find(text); refused != refused_.end())
         desk_.report(CompileFailed{refused->second, request.generation});
@@ -101,7 +103,7 @@ bool GpuWorker::make_ready(const Job& job, const std::string& text)
     if (desk_.stops_fine(Device::gpu, job)) return false;
     desk_.set_compiling(true);
     try {
-        device_->link(text);
+        device_->link(text, job.request->frame.layers);
     } catch (const graph::Failure& failure) {
         if (failure.exit_code != 6) throw;
         if (refused_.size() == refused_limit) refused_.clear();
@@ -137,7 +139,7 @@ void GpuWorker::try_pace(const Job& job)
 {
     desk_.set_absent(true);
     FrameRequest request = divided(job.request->frame, trial_divisor);
-    Frame frame(request.width, request.height);
+    Frame frame(request.width, request.height, request.layers);
     auto start = std::chrono::steady_clock::now();
     device_->draw(frame, *job.request->program, request, {});
     std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -169,10 +171,12 @@ void GpuWorker::draw_passes(const Job& job)
     for (const PassPlan& plan : passes(request, pace, coarse_seconds, shown_divisor)) {
         std::optional<double> seconds = PicturePass(desk_, frames_, Device::gpu, job, plan).draw(draw_frame());
         if (!seconds) return;
-        double eyes = request.stereo == Stereo::off ? 1 : 2;
+        if (request.frame.slice) continue;  // says nothing about pictures of rays
+        double eyes = is_stereo(request) ? 2 : 1;
         pace_.note(*request.program, *seconds / eyes, pixel_count(divided(request.frame, plan.divisor)));
         desk_.note_pace(Device::gpu, pace_.seconds_per_pixel(*request.program));
     }
+    accumulation_.go_on(desk_, frames_, Device::gpu, job, draw_frame());
 }
 
 }  // namespace fieldwright::renderer

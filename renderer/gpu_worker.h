@@ -1,8 +1,8 @@
 // The thread that owns a GL context, compiles and draws with it.
 #pragma once
 
+#include "renderer/accumulation.h"
 #include "renderer/devices.h"
-#include "renderer/picture_pass.h"
 #include "renderer/quiet_arena.h"
 
 #include <map>
@@ -47,6 +47,7 @@ private:
     int past_links_ = 0;  // of devices that were lost
     Pace pace_;
     FramePool frames_;
+    Accumulation accumulation_;
     std::map<std::string, std::string> refused_;  // texts, and why
     LossRecord losses_;
 };

@@ -4,7 +4,7 @@
 
 namespace fieldwright::renderer {
 
-// compile: only when nothing else wants the core, and off it the moment something does.
+// Niceness, not the kernel's idle policy: among busy programs that one stops a compile, and a window that closes waits for it.
 enum class Priority { picture, compile };
 
 // The calling thread's; there is no way back up without privileges. The name has at most 15 characters.

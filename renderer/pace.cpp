@@ -1,6 +1,8 @@
 // Estimates of drawing times.
 #include "renderer/pace.h"
 
+#include "codegen/features.h"
+
 #include <algorithm>
 #include <array>
 
@@ -9,8 +11,13 @@ namespace {
 
 constexpr std::array divisors = {1, 2, 3, 4, 6, 8, 12, 16};
 
-// In primitives; marching and shading cost as much as a dozen.
-double cost_of(const graph::Program& program) { return 12.0 + static_cast<double>(program.expanded_cost); }
+// In primitives; marching and shading cost as much as a dozen. What mirrors is rarely more than a part of the picture.
+double cost_of(const graph::Program& program)
+{
+    bool bounces = program.bounces > 0 && codegen::features_of(program, program.block).bounces;
+    double rays = bounces ? 1.0 + 0.5 * program.bounces : 1.0;
+    return rays * (12.0 + static_cast<double>(program.expanded_cost));
+}
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Views and anaglyphs by the shading library's functions, and the sRGB encoding.
+// Views by the shading library's functions, both eyes as one picture, and the sRGB encoding.
 #include "renderer/picture.h"
 
 #include "renderer/srgb_table.h"
@@ -12,7 +12,10 @@ namespace {
 
 using field::row_width;
 
-constexpr int band_height = 16;  // px, of what one thread encodes at a time
+constexpr int band_height = 16;               // px, of what one thread encodes at a time
+constexpr std::size_t fight_samples = 20011;  // prime, so that they make no pattern with the rows
+constexpr unsigned char fight_colour[] = {255, 214, 10};
+constexpr glm::vec3 exhausted_colour(1, 0, 1);
 
 void load(Rows& rows, const std::vector<glm::vec3>& pixels, std::size_t first, int count)
 {
@@ -26,24 +29,34 @@ void load(Rows& rows, const std::vector<Number>& numbers, std::size_t first, int
     for (int i = 0; i < count; ++i) rows.lane(0)[i] = static_cast<float>(numbers[first + static_cast<std::size_t>(i)]);
 }
 
-// The kernels know no infinity: a miss is a negative depth.
-void load_depth(Rows& rows, const std::vector<float>& depth, std::size_t first, int count)
+void load(Rows& rows, const ViewSource& source, std::size_t first, int count)
 {
-    load(rows, depth, first, count);
+    if (source.colours) load(rows, *source.colours, first, count);
+    if (source.numbers) load(rows, *source.numbers, first, count);
+    if (source.counts) load(rows, *source.counts, first, count);
+}
+
+// The kernels know no infinity: a miss is a negative depth.
+void mark_misses(Rows& depth, int count)
+{
     for (int i = 0; i < count; ++i)
-        if (!std::isfinite(rows.lane(0)[i])) rows.lane(0)[i] = -1.0f;
+        if (!std::isfinite(depth.lane(0)[i])) depth.lane(0)[i] = -1.0f;
 }
 
 const char* function_of(View view)
 {
     switch (view) {
-        case View::beauty: return "view_beauty";
-        case View::steps: return "view_steps";
         case View::normal: return "view_normal";
         case View::depth: return "view_depth";
-        case View::id: break;
+        case View::id:
+        case View::material: return "view_id";
+        case View::albedo:
+        case View::slice: return "view_plain";
+        case View::position: return "view_position";
+        case View::shadow:
+        case View::occlusion: return "view_share";
+        default: return "view_beauty";
     }
-    return "view_id";
 }
 
 void store_bytes(unsigned char* rgb, const Rows& linear, int count)
@@ -53,118 +66,193 @@ void store_bytes(unsigned char* rgb, const Rows& linear, int count)
         for (int k = 0; k < 3; ++k) rgb[3 * i + k] = table.byte(linear.lane(k)[i]);
 }
 
-// The enumerators are in the order of their names.
-template <typename Kind>
-std::optional<Kind> by_name(const std::vector<std::string>& names, std::string_view name)
+// As the bytes that a picture of them would have.
+void encode_lanes(Rows& bytes, const Rows& linear, int count)
 {
-    auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<Kind>(found - names.begin());
+    const SrgbTable& table = SrgbTable::shared();
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < count; ++i) bytes.lane(k)[i] = static_cast<float>(table.byte(linear.lane(k)[i]));
 }
+
+// Diagonals, so wide that they are seen as stripes on every screen.
+bool on_stripe(int x, int y) { return (x + y) / 4 % 2 == 0; }
 
 }  // namespace
 
-const std::vector<std::string>& view_names()
+Picture blank_picture(glm::ivec2 size_px)
 {
-    static const std::vector<std::string> names = {"beauty", "steps", "normal", "depth", "id"};
-    return names;
+    auto bytes = 3 * static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y);
+    return {size_px.x, size_px.y, std::vector<unsigned char>(bytes)};
 }
-
-const std::vector<std::string>& stereo_names()
-{
-    static const std::vector<std::string> names = {"off", "naive", "dubois"};
-    return names;
-}
-
-std::optional<View> view_from_name(std::string_view name) { return by_name<View>(view_names(), name); }
-
-std::optional<Stereo> stereo_from_name(std::string_view name) { return by_name<Stereo>(stereo_names(), name); }
 
 struct PictureEncoder::Scratch {
-    Rows left{3}, right{3}, combined{3}, input{3};
+    Rows left{3}, right{3}, mixed{3}, input{3}, toned{3};
 };
 
-PictureEncoder::PictureEncoder(View view, int step_limit, Stereo stereo)
-    : view_(view),
-      stereo_(stereo),
-      show_(function_of(view), field::kernels()),
-      combine_(stereo == Stereo::naive ? "naive_anaglyph" : "dubois_anaglyph", field::kernels())
-{
-    if (view == View::steps) fill_step_colours(step_limit);
-}
+// Pixels of one row, side by side.
+struct PictureEncoder::Run {
+    Picture& picture;
+    const Frame &left, &right;
+    int x, y, count;
 
-void PictureEncoder::fill_step_colours(int step_limit)
-{
-    Rows steps(1), limit(1), exhausted(1), shown(3);
-    limit.fill(0, static_cast<float>(step_limit));
-    for (int first = 0; first <= step_limit + 1; first += row_width) {
-        int count = std::min(row_width, step_limit + 2 - first);
-        for (int i = 0; i < count; ++i) {
-            steps.lane(0)[i] = static_cast<float>(first + i);
-            exhausted.lane(0)[i] = first + i > step_limit ? 1.0f : 0.0f;
-        }
-        show_(shown, count, steps, limit, exhausted);
-        for (int i = 0; i < count; ++i) step_colours_.push_back(shown.vec3(0, i));
+    std::size_t first() const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(left.width) + static_cast<std::size_t>(x);
     }
+    unsigned char* rgb(int shift_x = 0, int shift_y = 0) const
+    {
+        auto row = static_cast<std::size_t>(y + shift_y) * static_cast<std::size_t>(picture.width);
+        return &picture.rgb[3 * (row + static_cast<std::size_t>(x + shift_x))];
+    }
+};
+
+PictureEncoder::PictureEncoder(const Display& display, int step_limit)
+    : display_(display),
+      step_scale_(static_cast<float>(std::max(display.full_scale > 0 ? display.full_scale : step_limit, 1))),
+      heat_scale_(kind_of(display.view).scale_end > 0 ? kind_of(display.view).scale_end : step_scale_),
+      show_(function_of(display.view), field::kernels()),
+      look_(display.look)
+{
 }
 
-void PictureEncoder::show_steps(Rows& shown, const Frame& frame, std::size_t first, int count) const
+glm::ivec2 PictureEncoder::size_px(glm::ivec2 frame_size_px) const
+{
+    StereoLayout layout = mode_of(display_.stereo).layout;
+    return frame_size_px * glm::ivec2(layout == StereoLayout::beside ? 2 : 1, layout == StereoLayout::below ? 2 : 1);
+}
+
+void PictureEncoder::show_heat(Rows& shown, const Frame& frame, const ViewSource& source, std::size_t first,
+                               int count) const
 {
     for (int i = 0; i < count; ++i) {
-        std::size_t pixel = first + static_cast<std::size_t>(i), last = step_colours_.size() - 1;
-        auto steps = static_cast<std::size_t>(std::max(frame.steps[pixel], 0));
-        const glm::vec3& colour = step_colours_[frame.exhausted[pixel] ? last : std::min(steps, last - 1)];
+        std::size_t pixel = first + static_cast<std::size_t>(i);
+        bool stopped = display_.view == View::steps && frame.exhausted[pixel];
+        float number = source.counts ? static_cast<float>((*source.counts)[pixel]) : (*source.numbers)[pixel];
+        glm::vec3 colour = stopped ? exhausted_colour : map_colour(display_.colour_map, number / heat_scale_);
         for (int k = 0; k < 3; ++k) shown.lane(k)[i] = colour[k];
     }
 }
 
+// Magenta light, the more the more steps the ray took.
+void PictureEncoder::add_glow(Rows& shown, const Frame& frame, std::size_t first, int count) const
+{
+    for (int i = 0; i < count; ++i) {
+        std::size_t pixel = first + static_cast<std::size_t>(i);
+        float share = static_cast<float>(frame.steps[pixel]) / step_scale_;
+        float glow = frame.exhausted[pixel] ? 1.0f : std::min(share, 1.0f);
+        for (int k : {0, 2}) shown.lane(k)[i] += glow;
+    }
+}
+
+// Colours of a pixel that is half transparent are those of its opaque half.
+void PictureEncoder::show_beauty(Rows& shown, const Frame& frame, std::size_t first, int count, Scratch& scratch) const
+{
+    load(scratch.input, frame.colour, first, count);
+    bool divides = !frame.alpha.empty() && display_.stereo == Stereo::off;
+    for (int i = 0; divides && i < count; ++i)
+        for (int k = 0; k < 3; ++k)
+            scratch.input.lane(k)[i] /= std::max(frame.alpha[first + static_cast<std::size_t>(i)], 1e-6f);
+    if (look_.changes_nothing()) return show_(shown, count, scratch.input);
+    look_(scratch.toned, count, scratch.input);
+    show_(shown, count, scratch.toned);
+}
+
 void PictureEncoder::show(Rows& shown, const Frame& frame, std::size_t first, int count, Scratch& scratch) const
 {
-    Rows& input = scratch.input;
-    switch (view_) {
-        case View::beauty: load(input, frame.colour, first, count); break;
-        case View::steps: return show_steps(shown, frame, first, count);
-        case View::normal: load(input, frame.normal, first, count); break;
-        case View::depth: load_depth(input, frame.depth, first, count); break;
-        case View::id: load(input, frame.node_id, first, count); break;
+    bool beauty = display_.view == View::beauty || display_.view == View::glow;
+    if (beauty) show_beauty(shown, frame, first, count, scratch);
+    if (display_.view == View::glow) add_glow(shown, frame, first, count);
+    if (beauty) return;
+    ViewSource source = source_of(frame, display_.view);
+    bool exists = source.colours || source.numbers || source.counts;
+    if (exists && kind_of(display_.view).scale_title) return show_heat(shown, frame, source, first, count);
+    if (!exists)
+        for (int k = 0; k < 3; ++k) scratch.input.fill(k, 0);
+    load(scratch.input, source, first, count);
+    if (display_.view == View::depth) mark_misses(scratch.input, count);
+    show_(shown, count, scratch.input);
+}
+
+// What is in `scratch` of both eyes, as one.
+void PictureEncoder::mix(const EyeMix& mix, unsigned char* rgb, int count, Scratch& scratch) const
+{
+    if (display_.stereo_space == StereoSpace::linear) {
+        mix_eyes(scratch.mixed, count, mix, scratch.left, scratch.right, 1);
+        return store_bytes(rgb, scratch.mixed, count);
     }
-    show_(shown, count, input);
+    Rows left(3), right(3);
+    encode_lanes(left, scratch.left, count);
+    encode_lanes(right, scratch.right, count);
+    mix_eyes(scratch.mixed, count, mix, left, right, 255);
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k) rgb[3 * i + k] = static_cast<unsigned char>(scratch.mixed.lane(k)[i] + 0.5f);
+}
+
+void PictureEncoder::mark_fights(const Run& run, Stereo stereo, const Rows& left) const
+{
+    for (int i = 0; i < run.count; ++i)
+        if (on_stripe(run.x + i, run.y) && eyes_fight(stereo, display_.stereo_space, left.vec3(0, i)))
+            std::copy(std::begin(fight_colour), std::end(fight_colour), run.rgb() + 3 * i);
+}
+
+int PictureEncoder::divider(const Frame& frame) const
+{
+    return static_cast<int>(display_.split * static_cast<float>(frame.width));
+}
+
+void PictureEncoder::encode_run(const Run& run, Scratch& scratch) const
+{
+    const StereoMode& mode = mode_of(display_.stereo);
+    bool only_right = mode.layout == StereoLayout::rows && run.y % 2 == 1;
+    show(scratch.left, only_right ? run.right : run.left, run.first(), run.count, scratch);
+    if (mode.layout != StereoLayout::mixed) store_bytes(run.rgb(), scratch.left, run.count);
+    if (mode.layout == StereoLayout::one_eye || mode.layout == StereoLayout::rows) return;
+    show(scratch.right, run.right, run.first(), run.count, scratch);
+    if (mode.layout == StereoLayout::beside) return store_bytes(run.rgb(run.left.width, 0), scratch.right, run.count);
+    if (mode.layout == StereoLayout::below) return store_bytes(run.rgb(0, run.left.height), scratch.right, run.count);
+    Stereo stereo = run.x < divider(run.left) ? Stereo::naive : display_.stereo;
+    mix(mix_of(stereo, display_.stereo_space), run.rgb(), run.count, scratch);
+    if (display_.rivalry) mark_fights(run, stereo, scratch.left);
 }
 
 void PictureEncoder::encode(Picture& picture, const Area& area, const Frame& left, const Frame& right) const
 {
     Scratch scratch;
-    auto encode_run = [&](std::size_t first, int count) {
-        show(scratch.left, left, first, count, scratch);
-        unsigned char* rgb = &picture.rgb[3 * first];
-        if (stereo_ == Stereo::off) return store_bytes(rgb, scratch.left, count);
-        show(scratch.right, right, first, count, scratch);
-        combine_(scratch.combined, count, scratch.left, scratch.right);
-        store_bytes(rgb, scratch.combined, count);
-    };
+    const Frame &first = display_.swap_eyes ? right : left, &second = display_.swap_eyes ? left : right;
+    int border = divider(left), end = area.x + area.width;
     for (int y = area.y; y < area.y + area.height; ++y)
-        for (int x = 0; x < area.width; x += row_width) {
-            auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                         static_cast<std::size_t>(area.x + x);
-            encode_run(first, std::min(row_width, area.width - x));
+        for (int x = area.x, count = 0; x < end; x += count) {
+            count = std::min(row_width, end - x);
+            if (x < border) count = std::min(count, border - x);
+            encode_run({picture, first, second, x, y, count}, scratch);
         }
 }
 
-Picture picture(const Frame& frame, View view, int step_limit)
+Picture picture(const Frame& left, const Frame& right, const Display& display, int step_limit)
 {
-    return anaglyph(frame, frame, view, step_limit, Stereo::off);
-}
-
-Picture anaglyph(const Frame& left, const Frame& right, View view, int step_limit, Stereo stereo)
-{
-    Picture picture{left.width, left.height, std::vector<unsigned char>(3 * left.colour.size())};
-    const PictureEncoder encoder(view, step_limit, stereo);
+    const PictureEncoder encoder(display, step_limit);
+    Picture picture = blank_picture(encoder.size_px({left.width, left.height}));
+    if (display.view == View::beauty && display.stereo == Stereo::off)
+        for (float alpha : left.alpha) picture.alpha.push_back(static_cast<unsigned char>(255.0f * alpha + 0.5f));
     int bands = (left.height + band_height - 1) / band_height;
     tbb::parallel_for(0, bands, [&](int band) {
         int y = band * band_height;
         encoder.encode(picture, {0, y, left.width, std::min(band_height, left.height - y)}, left, right);
     });
     return picture;
+}
+
+Picture picture(const Frame& frame, View view, int step_limit, const Look& look)
+{
+    return picture(frame, frame, Display{.view = view, .look = look}, step_limit);
+}
+
+double fighting_share(const Frame& frame, Stereo stereo, StereoSpace space)
+{
+    std::size_t stride = std::max<std::size_t>(frame.colour.size() / fight_samples, 1), seen = 0, fights = 0;
+    for (std::size_t i = stride / 2; i < frame.colour.size(); i += stride, ++seen)
+        if (eyes_fight(stereo, space, frame.colour[i])) ++fights;
+    return static_cast<double>(fights) / static_cast<double>(std::max<std::size_t>(seen, 1));
 }
 
 }  // namespace fieldwright::renderer

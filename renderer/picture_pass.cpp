@@ -3,12 +3,14 @@
 
 #include <tbb/parallel_for.h>
 #include <algorithm>
+#include <cmath>
 
 namespace fieldwright::renderer {
 namespace {
 
 constexpr auto show_interval = std::chrono::milliseconds(150);
-constexpr double worth_a_half = 0.4;  // s; a full picture that takes less needs no half one before it
+constexpr double slice_share = 1.0 / 20;  // of the time of a ray that a distance slice takes for a pixel
+constexpr double worth_a_half = 0.4;      // s; a full picture that takes less needs no half one before it
 
 double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to)
 {
@@ -52,6 +54,22 @@ void resize_row(unsigned char* to, const Picture& from, const Sample& row, const
     }
 }
 
+// The least number of steps that the share of the pixels does not exceed.
+int percentile(const std::vector<std::size_t>& pixels_by_steps, std::size_t pixels, double share)
+{
+    auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(pixels)));
+    std::size_t seen = 0;
+    for (std::size_t steps = 0; steps < pixels_by_steps.size(); ++steps)
+        if ((seen += pixels_by_steps[steps]) >= wanted) return static_cast<int>(steps);
+    return 0;
+}
+
+std::optional<double> fights(const Frame& frame, const Display& display)
+{
+    if (mode_of(display.stereo).layout != StereoLayout::mixed) return std::nullopt;
+    return fighting_share(frame, display.stereo, display.stereo_space);
+}
+
 }  // namespace
 
 Picture resized(const Picture& picture, int width, int height)
@@ -70,10 +88,16 @@ StepStatistics step_statistics(const Frame& frame)
     StepStatistics statistics;
     auto pixels = static_cast<double>(std::max<std::size_t>(frame.steps.size(), 1));
     std::int64_t sum = 0, exhausted = 0;
+    std::vector<std::size_t> pixels_by_steps;
     for (int steps : frame.steps) {
         sum += steps;
-        statistics.largest = std::max(statistics.largest, steps);
+        auto index = static_cast<std::size_t>(std::max(steps, 0));
+        if (index >= pixels_by_steps.size()) pixels_by_steps.resize(index + 1);
+        ++pixels_by_steps[index];
     }
+    statistics.largest = std::max(static_cast<int>(pixels_by_steps.size()) - 1, 0);
+    statistics.p99 = percentile(pixels_by_steps, frame.steps.size(), 0.99);
+    statistics.evaluations = frame.evaluations;
     for (unsigned char flag : frame.exhausted) exhausted += flag;
     statistics.mean = static_cast<double>(sum) / pixels;
     statistics.exhausted = static_cast<double>(exhausted) / pixels;
@@ -83,7 +107,8 @@ StepStatistics step_statistics(const Frame& frame)
 std::vector<PassPlan> passes(const PictureRequest& request, double seconds_per_pixel, double seconds,
                              std::optional<int> shown_divisor)
 {
-    double per_pixel = request.stereo == Stereo::off ? seconds_per_pixel : 2 * seconds_per_pixel;
+    if (request.frame.slice) seconds_per_pixel *= slice_share;
+    double per_pixel = is_stereo(request) ? 2 * seconds_per_pixel : seconds_per_pixel;
     int coarse = affordable_divisor(request.frame, per_pixel, seconds);
     double full_seconds = per_pixel * static_cast<double>(pixel_count(request.frame));
     std::vector<PassPlan> all = {{coarse, true}};
@@ -101,27 +126,28 @@ std::optional<int> show_again(RenderDesk& desk, Device device, const Job& job)
     if (!same_content(*shown.request, request)) {
         const Frame& left = *shown.picture.frame;
         const Frame& right = shown.picture.right_frame ? *shown.picture.right_frame : left;
-        int step_limit = request.program->march.step_limit;
+        shown.picture.fighting_share = fights(left, request.display);
         shown.picture.picture =
-            std::make_shared<const Picture>(anaglyph(left, right, request.view, step_limit, request.stereo));
+            std::make_shared<const Picture>(picture(left, right, request.display, request.program->march.step_limit));
     }
     int divisor = shown.picture.divisor;
     desk.deliver(device, job, std::move(shown.picture), true);
     return divisor;
 }
 
-std::shared_ptr<Frame> FramePool::take(int width, int height)
+std::shared_ptr<Frame> FramePool::take(const FrameRequest& request)
 {
     auto is_free = [](const std::shared_ptr<Frame>& frame) { return frame.use_count() == 1; };
     auto fits = [&](const std::shared_ptr<Frame>& frame) {
-        return is_free(frame) && frame->width == width && frame->height == height;
+        return is_free(frame) && frame->width == request.width && frame->height == request.height &&
+               frame->layers.has_value() == request.layers;
     };
     auto found = std::find_if(frames_.begin(), frames_.end(), fits);
     std::atomic_thread_fence(std::memory_order_acquire);  // after the reads of those who let go of it
     if (found != frames_.end()) return *found;
     auto oldest = std::find_if(frames_.begin(), frames_.end(), is_free);
     if (frames_.size() >= capacity && oldest != frames_.end()) frames_.erase(oldest);
-    frames_.push_back(std::make_shared<Frame>(width, height));
+    frames_.push_back(std::make_shared<Frame>(request.width, request.height, request.layers));
     return frames_.back();
 }
 
@@ -132,17 +158,15 @@ PicturePass::PicturePass(RenderDesk& desk, FramePool& frames, Device device, con
       job_(job),
       plan_(plan),
       request_(divided(job.request->frame, plan.divisor)),
-      encoder_(job.request->view, job.request->program->march.step_limit, job.request->stereo),
-      left_(frames.take(request_.width, request_.height)),
+      encoder_(job.request->display, job.request->program->march.step_limit),
+      left_(frames.take(request_)),
       base_(desk.shown()),
       last_shown_(Clock::now())
 {
     if (base_.request && !same_content(*base_.request, *job.request)) base_ = {};
-    if (base_.request)
-        picture_ = std::make_shared<Picture>(resized(*base_.picture.picture, request_.width, request_.height));
-    else
-        picture_ = std::make_shared<Picture>(
-            Picture{request_.width, request_.height, std::vector<unsigned char>(3 * left_->colour.size())});
+    glm::ivec2 size = encoder_.size_px({request_.width, request_.height});
+    picture_ = std::make_shared<Picture>(base_.request ? resized(*base_.picture.picture, size.x, size.y)
+                                                       : blank_picture(size));
 }
 
 bool PicturePass::stops() const
@@ -166,13 +190,19 @@ bool PicturePass::draw_eyes(const DrawFrame& draw_frame)
 {
     const graph::Program& program = *job_.request->program;
     Watch watch{.cancelled = [this] { return stops(); }};
-    if (job_.request->stereo != Stereo::off) {
+    const Exposure& exposure = job_.request->exposure;
+    const Area whole = drawn_area(request_);
+    left_->alpha.clear();
+    if (is_stereo(*job_.request)) {
         request_.eye = Eye::left;
         if (!draw_frame(*left_, program, request_, watch)) return false;
+        lay_backdrop(*left_, whole, exposure, whole);
         request_.eye = Eye::right;
-        right_ = frames_.take(request_.width, request_.height);
+        right_ = frames_.take(request_);
+        right_->alpha.clear();
     }
-    watch.part_drawn = [this](const Frame&, const Area& area) {
+    watch.part_drawn = [&](const Frame&, const Area& area) {
+        lay_backdrop(right_ ? *right_ : *left_, area, exposure, whole);
         encode(area);
         if (base_.request) show_growing();
     };
@@ -209,7 +239,10 @@ DrawnPicture PicturePass::finished(double seconds) const
     drawn.divisor = plan_.divisor;
     drawn.final = plan_.divisor == 1;
     drawn.ms = 1e3 * seconds;
+    drawn.of_slice = request_.slice.has_value();
     drawn.steps = step_statistics(*left_);
+    if (right_) drawn.steps.evaluations += right_->evaluations;
+    drawn.fighting_share = fights(*left_, job_.request->display);
     return drawn;
 }
 

@@ -29,7 +29,7 @@ std::optional<int> show_again(RenderDesk& desk, Device device, const Job& job);
 // Frames that nobody holds any more are drawn over: fresh memory costs tens of milliseconds at full size.
 class FramePool {
 public:
-    std::shared_ptr<Frame> take(int width, int height);  // what is in it does not matter
+    std::shared_ptr<Frame> take(const FrameRequest& request);  // what is in it does not matter
 
 private:
     static constexpr std::size_t capacity = 4;  // coarse, half, full and the one shown

@@ -20,14 +20,20 @@ FrameRequest without_eye(FrameRequest frame)
 
 bool same_frames(const PictureRequest& a, const PictureRequest& b)
 {
-    bool stereo = a.stereo != Stereo::off;
-    if (a.program != b.program || stereo != (b.stereo != Stereo::off)) return false;
-    return stereo ? without_eye(a.frame) == without_eye(b.frame) : a.frame == b.frame;
+    Exposure samples_of_b = b.exposure;
+    samples_of_b.samples = a.exposure.samples;
+    if (a.program != b.program || a.exposure != samples_of_b || is_stereo(a) != is_stereo(b)) return false;
+    return is_stereo(a) ? without_eye(a.frame) == without_eye(b.frame) : a.frame == b.frame;
 }
 
 bool same_content(const PictureRequest& a, const PictureRequest& b)
 {
-    return same_frames(a, b) && a.view == b.view && a.stereo == b.stereo;
+    return same_frames(a, b) && a.display == b.display;
+}
+
+int wanted_samples(const PictureRequest& request)
+{
+    return request.display.view == View::beauty && !request.interacting ? sample_count(request.exposure) : 1;
 }
 
 RenderDesk::RenderDesk(std::function<void()> on_ready, bool with_cpu, bool with_gpu)
@@ -38,14 +44,15 @@ RenderDesk::RenderDesk(std::function<void()> on_ready, bool with_cpu, bool with_
 // A picture that is there already needs only the new generation.
 bool RenderDesk::repeats_final() const
 {
-    return shown_.request && shown_.picture.final && same_content(*shown_.request, *newest_.request);
+    return shown_.request && shown_.picture.final && same_content(*shown_.request, *newest_.request) &&
+           shown_.picture.samples >= wanted_samples(*newest_.request);
 }
 
 // Who asks for the same thing at every frame does not start it anew.
 bool RenderDesk::repeats_newest(const PictureRequest& request) const
 {
     return newest_.request && newest_.request->interacting == request.interacting &&
-           same_content(*newest_.request, request);
+           same_content(*newest_.request, request) && newest_.request->exposure == request.exposure;
 }
 
 void RenderDesk::put(PictureRequest request)
@@ -256,7 +263,8 @@ void RenderDesk::deliver(Device device, const Job& job, DrawnPicture picture, bo
         std::lock_guard lock(mutex_);
         picture.generation = (job.serial == newest_.serial ? newest_ : job).request->generation;
         picture.device = device == Device::gpu ? "gpu" : "cpu";
-        if (closed_ || job.serial < delivered_ || job.serial <= final_ || !is_lead(device, job)) return;
+        bool late = job.serial < delivered_ || job.serial < final_ || (job.serial == final_ && !picture.final);
+        if (closed_ || late || !is_lead(device, job)) return;
         status_.device = picture.device;
         delivered_ = job.serial;
         if (picture.final) final_ = job.serial;

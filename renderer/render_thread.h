@@ -1,10 +1,12 @@
-// Draws the newest request of a window on threads of its own: coarse at once, then finer, then idle.
+// Draws the newest request of a window on threads of its own: coarse at once, then finer, then with more samples, then
+// idle.
 //
 // Two threads of low priority: one draws on all cores, one owns a GL context of its own, compiles and draws.
 // On software GL a changed value is a new text, so there the CPU shows pictures while values change.
 #pragma once
 
 #include "renderer/picture.h"
+#include "renderer/samples.h"
 
 #include <cstdint>
 #include <memory>
@@ -17,17 +19,24 @@ enum class Device { automatic, gpu, cpu };
 struct PictureRequest {
     std::shared_ptr<const graph::Program> program;
     FrameRequest frame;  // its eye counts only without stereo
-    View view = View::beauty;
-    Stereo stereo = Stereo::off;
+    Display display;
+    Exposure exposure;  // further samples are added once the picture of the first ones is there
     // A hand moves something: coarse pictures only, and no links on software GL. When it rests, ask again without.
     bool interacting = false;
     std::uint64_t generation = 0;  // the window's; comes back with the results
 };
 
+// Both eyes are drawn.
+inline bool is_stereo(const PictureRequest& request) { return request.display.stereo != Stereo::off; }
+// Of a pixel, in the end: only beauty has more than one, and nothing has while a hand moves something.
+int wanted_samples(const PictureRequest& request);
+
 struct StepStatistics {
     double mean = 0;
+    int p99 = 0;  // 99 of 100 rays take at most so many
     int largest = 0;
-    double exhausted = 0;  // share of pixels that ran out of steps
+    std::int64_t evaluations = 0;  // of the field, by all rays; 0 where the device does not count
+    double exhausted = 0;          // share of pixels that ran out of steps
 };
 
 struct DrawnPicture {
@@ -36,11 +45,14 @@ struct DrawnPicture {
     // Buffers of the last complete drawing, left eye or only one: as large as the picture or smaller.
     std::shared_ptr<const Frame> frame, right_frame;  // right_frame: of stereo, else null
     int divisor = 1;     // of the request's size: width and height are divided by it in `frame`
-    bool final = false;  // complete and of the request's size: nothing follows
+    bool final = false;  // complete and of the request's size: only further samples follow
+    int samples = 1;     // of a pixel, in the picture and in its frames' colours
     std::uint64_t generation = 0;
     double ms = 0;            // drawing it took
     const char* device = "";  // "cpu", "gpu"
+    bool of_slice = false;    // its frame holds distances, not depths
     StepStatistics steps;
+    std::optional<double> fighting_share;  // of pixels over whose colour the eyes fight; nothing unless both are mixed
 };
 
 // The driver refuses the shader; pictures of the CPU go on. Once per request.

@@ -3,6 +3,7 @@
 
 #include "renderer/rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,9 +31,19 @@ std::array<float, 256> thresholds()
     return found;
 }
 
+std::array<float, 256> decoded_bytes()
+{
+    Rows bytes(1), decoded(1);
+    for (int i = 0; i < 256; ++i) bytes.lane(0)[i] = static_cast<float>(i) / 255.0f;
+    RowFunction("srgb_decode_channel", field::kernels())(decoded, 256, bytes);
+    std::array<float, 256> found;
+    std::copy_n(decoded.lane(0), found.size(), found.begin());
+    return found;
+}
+
 }  // namespace
 
-SrgbTable::SrgbTable() : thresholds_(thresholds())
+SrgbTable::SrgbTable() : thresholds_(thresholds()), linear_(decoded_bytes())
 {
     unsigned char byte = 0;
     for (std::size_t i = 0; i < buckets; ++i) {

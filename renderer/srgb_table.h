@@ -1,4 +1,4 @@
-// The sRGB encoding of the shading library as a table: the same bytes without a power per channel.
+// The sRGB encoding of the shading library as a table, and back: the same bytes without a power per channel.
 #pragma once
 
 #include <array>
@@ -18,6 +18,7 @@ public:
         unsigned char low = starts_[(std::bit_cast<std::uint32_t>(inside) - first_bits) >> dropped_bits];
         return static_cast<unsigned char>(low + (inside >= thresholds_[low] ? 1 : 0));
     }
+    float linear(unsigned char byte) const { return linear_[byte]; }  // srgb_decode(byte / 255)
 
 private:
     SrgbTable();
@@ -30,6 +31,7 @@ private:
 
     std::array<float, 256> thresholds_;  // by byte: the least x that is encoded as the next one
     std::array<unsigned char, buckets> starts_;
+    std::array<float, 256> linear_;
 };
 
 }  // namespace fieldwright::renderer

@@ -33,7 +33,7 @@ def broken(*path_and_value):
 
 node = ("graphs", "root", "nodes", "1")
 for scene in [[], {}, broken("format", "gltf"), broken("version", 0), broken("next_id", 0), broken("march", {"steps": 1}),
-              broken("occlusion", {"strength": 2}), broken("graphs", {}), broken("graphs", "other", {}),
+              broken("occlusion", {"strength": 2}), broken("fog", {"density": -1}), broken("bounces", 9), broken("graphs", {}), broken("graphs", "other", {}),
               broken("graphs", "root", "nodes", "01", {"type": "sphere"}), broken(*node, {}), broken(*node, "colour", 1),
               broken(*node, "position", [1]), broken(*node, "parameters", "radius", None), broken(*node, "inputs", "a", "2")]:
     assert not validator.is_valid(scene), scene

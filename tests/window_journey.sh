@@ -32,5 +32,9 @@ assert output["inputs"]["d"] == 44 and added["44"]["inputs"]["a"] == old_output[
 for id, node in before.items():
     if node["type"] == "output":
         continue
-    assert {**after[id], "position": 0} == {**node, "position": 0}, id
+    now = after[id]
+    assert {**now, "position": 0, "parameters": 0} == {**node, "position": 0, "parameters": 0}, id
+    # Saving writes every parameter, and words for what was a switch.
+    for name, value in node["parameters"].items():
+        assert now["parameters"][name] in (value, "hard" if value is True else value), (id, name)
 PYTHON

@@ -4,6 +4,7 @@
 #include "ui/keys.h"
 #include "ui/node_words.h"
 
+#include "graph/custom_nodes.h"
 #include "graph/groups.h"
 #include "graph/search.h"
 
@@ -24,9 +25,9 @@ constexpr float menu_width = 460, menu_height = 372, column_width = 112;  // des
 constexpr std::size_t recent_limit = 8;
 
 // What a scene is built from first comes first; others follow by name.
-constexpr std::array<std::string_view, 13> category_order = {"primitive", "shape2d",  "combine",  "modify", "domain",
-                                                             "convert",   "material", "light",    "camera", "sky",
-                                                             "value",     "group",    "my_groups"};
+constexpr std::array<std::string_view, 14> category_order = {
+    "primitive", "shape2d", "combine", "modify", "domain", "convert",   "material",
+    "light",     "camera",  "sky",     "value",  "group",  "my_groups", own_category};
 
 std::size_t category_rank(std::string_view category)
 {
@@ -58,7 +59,23 @@ std::vector<const NodeType*> fitting(const Draft& draft, const graph::LooseEnd& 
     return types;
 }
 
+std::vector<NodeType> own_beginnings()
+{
+    std::vector<NodeType> types;
+    for (const graph::CustomTemplate& custom : graph::custom_templates()) {
+        NodeType& type = types.emplace_back();
+        type.name = std::string(own_prefix) + std::string(custom.name);
+        type.category = own_category;
+        type.title = custom.title;
+        type.help = custom.help;
+        type.synonyms = {"own node", "code", "glsl", "write", "script"};
+    }
+    return types;
+}
+
 }  // namespace
+
+AddMenu::AddMenu() : own_beginnings_(own_beginnings()) {}
 
 void AddMenu::open(glm::vec2 at_px, AddPlace place)
 {
@@ -89,6 +106,7 @@ void AddMenu::find_offered(const Draft& draft, const std::vector<SavedGroup>& sa
         for (const NodeType* type : draft.library.types())
             if (!rooted || type->category != "output") offered_.push_back(type);
         for (const SavedGroup& group : saved) offered_.push_back(&group.type);
+        for (const NodeType& type : own_beginnings_) offered_.push_back(&type);
     }
     // A group cannot contain itself.
     std::erase_if(offered_, [&](const NodeType* type) {

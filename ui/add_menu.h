@@ -18,8 +18,12 @@ struct AddPlace {
     std::optional<Wire> on_wire;         // to be inserted into
 };
 
+// Types of this category are texts that own nodes begin with: `<own_prefix><template>` (graph/custom_nodes.h).
+inline constexpr std::string_view own_category = "custom", own_prefix = "custom:";
+
 class AddMenu {
 public:
+    AddMenu();
     // At the next draw; `at_px`: of the screen.
     void open(glm::vec2 at_px, AddPlace place);
     bool is_open() const { return shown_; }
@@ -40,6 +44,7 @@ private:
     const graph::NodeType* entries(FrameContext& frame, const std::vector<const graph::NodeType*>& types);
     bool entry(FrameContext& frame, const graph::NodeType& type, bool highlighted);
 
+    const std::vector<graph::NodeType> own_beginnings_;
     AddPlace place_;
     glm::vec2 at_px_{0, 0};
     bool opening_ = false, shown_ = false, scroll_to_highlight_ = false;

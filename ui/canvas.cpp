@@ -53,7 +53,10 @@ void Canvas::draw(FrameContext& frame)
     breadcrumbs(frame);
     node_menu(frame);
     wire_menu(frame);
-    if (const graph::NodeType* picked = add_menu_.draw(frame)) add_and_show(frame, *picked, add_menu_.place());
+    const graph::NodeType* picked = add_menu_.draw(frame);
+    if (picked && picked->category == own_category)
+        add_custom_at(frame, picked->name.substr(own_prefix.size()), add_menu_.place().position);
+    else if (picked) add_and_show(frame, *picked, add_menu_.place());
 }
 
 glm::vec2 Canvas::cursor_on_canvas() const
@@ -84,9 +87,14 @@ NodeId Canvas::add(FrameContext& frame, std::string_view type_name)
 
 NodeId Canvas::add_custom(FrameContext& frame, std::string_view template_name)
 {
+    return add_custom_at(frame, template_name, cursor_on_canvas());
+}
+
+NodeId Canvas::add_custom_at(FrameContext& frame, std::string_view template_name, glm::vec2 position)
+{
     Draft& draft = frame.draft;
-    graph::Placed placed = graph::add_custom_node(draft.document, draft.library, template_name, cursor_on_canvas(),
-                                                  frame.view.selection.nodes());
+    graph::Placed placed =
+        graph::add_custom_node(draft.document, draft.library, template_name, position, frame.view.selection.nodes());
     if (!draft.done("Add a custom node", placed.refusal)) return {};
     const graph::OwnType& type = *graph::find_own_type(draft.document, draft.document.root.find(placed.node)->type);
     frame.requests.push_back(TrustCode{type.text, type.name});

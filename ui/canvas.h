@@ -69,6 +69,7 @@ private:
     void open_view(FrameContext& frame, const CanvasLayout& layout);
     void bring_into_view(const FrameContext& frame, const Box& box);
     void minimap(FrameContext& frame, const CanvasLayout& layout, bool over);
+    graph::NodeId add_custom_at(FrameContext& frame, std::string_view template_name, glm::vec2 position);
     graph::NodeId add_and_show(FrameContext& frame, const graph::NodeType& type, const AddPlace& place);
 
     void paint(FrameContext& frame, const CanvasLayout& layout, const Hover& hover);

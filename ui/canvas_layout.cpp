@@ -9,12 +9,12 @@ using graph::NodeId;
 
 std::string_view CanvasNode::input_name(std::size_t row) const
 {
-    return type ? std::string_view(type->inputs[row].name) : std::string_view(node->inputs[row].first);
+    return type ? std::string_view(type->inputs[rows.input(row)].name) : std::string_view(node->inputs[row].first);
 }
 
 graph::SocketKind CanvasNode::input_kind(std::size_t row) const
 {
-    return type ? type->inputs[row].kind : graph::SocketKind::none;
+    return type ? type->inputs[rows.input(row)].kind : graph::SocketKind::none;
 }
 
 CanvasLayout::CanvasLayout(const graph::Graph& graph, const graph::Library& library, const Selection& selection,

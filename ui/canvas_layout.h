@@ -12,7 +12,9 @@ struct CanvasNode {
     Box box;
     graph::SocketKind output;  // of unknown types: none
 
-    std::size_t input_count() const { return type ? type->inputs.size() : node->inputs.size(); }
+    InputRows rows{*node, type};
+
+    std::size_t input_count() const { return rows.count(); }
     std::string_view input_name(std::size_t row) const;
     graph::SocketKind input_kind(std::size_t row) const;
     glm::vec2 input_pin(std::size_t row) const { return box.low + input_offset(row); }

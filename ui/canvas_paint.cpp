@@ -3,6 +3,7 @@
 
 #include "ui/canvas_edits.h"
 #include "ui/node_words.h"
+#include "ui/number_text.h"
 
 #include "graph/groups.h"
 
@@ -99,6 +100,9 @@ void Canvas::paint_nodes(CanvasPainter& painter, const FrameContext& frame, cons
                             .renamed = rename_.node == id});
         paint_pins(painter, node, hover);
         if (id == output) painter.caption(node.box, "Gives the group's result");
+        const auto& costs = frame.readings.node_costs.by_node;
+        auto cost = frame.view.node_costs ? costs.find(id) : costs.end();
+        if (cost != costs.end()) painter.cost(node.box, duration_text(cost->second));
     }
 }
 

@@ -351,6 +351,16 @@ void CanvasPainter::caption(const Box& node, std::string_view words)
     text({box.low.x, box.high.y + px(4)}, size, colour::quiet_text, words, 2 * px(node_width));
 }
 
+void CanvasPainter::cost(const Box& node, std::string_view words)
+{
+    if (detail_ == Detail::boxes) return;
+    Box box = space_.screen(node);
+    float size = std::max(px(12), theme_.px(11)), width = text_width(size, words), inset = theme_.px(4);
+    ImVec2 low(box.high.x - width - 2 * inset, box.low.y - size - 2 * theme_.px(2)), high(box.high.x, box.low.y);
+    list_.AddRectFilled(low, high, colour::veil, theme_.px(3), ImDrawFlags_RoundCornersTop);
+    text({low.x + inset, low.y + theme_.px(2)}, size, colour::quiet_text, words, width + 1);
+}
+
 void CanvasPainter::selection_box(const Box& box)
 {
     Box box_px = space_.screen(box);

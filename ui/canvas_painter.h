@@ -42,6 +42,7 @@ public:
     // `alpha`: below 1 for nodes that a wire in the hand cannot go to.
     void pin(glm::vec2 at, graph::SocketKind kind, bool wired, PinLook look);
     void caption(const Box& node, std::string_view words);  // below a node
+    void cost(const Box& node, std::string_view words);     // above its right end
     void selection_box(const Box& box);
     void lasso(const std::vector<glm::vec2>& points);
     void cut_stroke(const std::vector<glm::vec2>& points);

@@ -4,9 +4,21 @@
 #include "ui/keys.h"
 
 #include "graph/custom_nodes.h"
+#include "graph/light_rig.h"
 #include "graph/words.h"
 
 namespace fieldwright::ui {
+namespace {
+
+void add_outdoor_light(CommandContext& context)
+{
+    Draft& draft = context.frame.draft;
+    graph::Placed placed = graph::add_outdoor_light(draft.document, draft.library, context.canvas.cursor_on_canvas());
+    if (draft.done("Add outdoor light", placed.refusal)) context.frame.view.selection.only(placed.node);
+}
+
+}  // namespace
+
 void append_add_commands(std::vector<Command>& list, const graph::Library& library)
 {
     list.push_back({.id = "add.menu",
@@ -33,6 +45,13 @@ void append_add_commands(std::vector<Command>& list, const graph::Library& libra
                             context.frame.view.panes.shown = true;
                             context.canvas.add_custom(context.frame, name);
                         }});
+    list.push_back({.id = "add.outdoor_light",
+                    .title = "Add outdoor light",
+                    .menu = "Add",
+                    .help = "Lights the scene as outdoors: a sun with soft shadows, its sky, and darker corners.",
+                    .icon = icon::sun,
+                    .separator = true,
+                    .run = add_outdoor_light});
     std::string category;
     for (const graph::NodeType* type : library.types()) {
         list.push_back(

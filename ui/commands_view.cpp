@@ -2,8 +2,11 @@
 #include "ui/canvas.h"
 #include "ui/commands.h"
 #include "ui/keys.h"
+#include "ui/stereo_comfort.h"
 #include "ui/viewport.h"
 #include "ui/workspaces.h"
+
+#include "graph/words.h"
 
 namespace fieldwright::ui {
 namespace {
@@ -102,42 +105,101 @@ void append_eye(std::vector<Command>& list)
                     .run = [](CommandContext& context) { context.viewport.set_camera_from_view(context.frame); }});
 }
 
-struct Words {
-    const char *name, *title, *help;
-};
-constexpr Words view_words[] = {
-    {"beauty", "Show the picture", "Shows surfaces in their light."},
-    {"steps", "Show the steps", "Shows how many steps each ray took, as a heatmap."},
-    {"normal", "Show normals", "Shows which way surfaces face, as colours."},
-    {"depth", "Show depth", "Shows how far surfaces are, near ones bright."},
-    {"id", "Show node colours", "Shows each node's surface in a colour of its own."},
-};
-constexpr Words stereo_words[] = {
-    {"off", "No stereo", "Shows the picture for one eye."},
-    {"naive", "Plain red-cyan anaglyph", "Shows the left eye's red and the right eye's green and blue."},
-    {"dubois", "Dubois red-cyan anaglyph", "Shows both eyes with colours kept as true as red-cyan glasses allow."},
-};
-
-Words words_for(std::span<const Words> known, const std::string& name)
+// One checked entry for each choice; the chosen one is kept in a member of the view state.
+template <typename Kind>
+void append_choices(std::vector<Command>& list, const std::vector<Kind>& choices, const std::string& verb,
+                    const std::string& id, const std::string& menu, std::string ViewState::*member)
 {
-    for (const Words& words : known)
-        if (name == words.name) return words;
-    return {name.c_str(), nullptr, nullptr};
+    for (const Choice& choice : choices)
+        list.push_back(
+            {.id = id + choice.name,
+             .title = verb.empty() ? choice.title : verb + " " + graph::inside_a_sentence(choice.title),
+             .menu = menu,
+             .help = choice.help,
+             .checked = [=](const CommandContext& context) { return context.frame.view.*member == choice.name; },
+             .run = [=](CommandContext& context) { context.frame.view.*member = choice.name; }});
 }
 
-// One checked entry for each of `names`; the chosen one is kept in a member of the view state.
-void append_choice(std::vector<Command>& list, std::span<const std::string> names, std::span<const Words> known,
-                   const std::string& id, const std::string& menu, std::string ViewState::*member)
+Command eye_switch(const char* id, const char* title, const char* help, bool StereoView::*member)
 {
-    for (const std::string& name : names) {
-        Words words = words_for(known, name);
-        list.push_back({.id = id + name,
-                        .title = words.title ? words.title : "Show " + name,
-                        .menu = menu,
-                        .help = words.help ? words.help : "Shows " + name + " in the viewport.",
-                        .checked = [=](const CommandContext& context) { return context.frame.view.*member == name; },
-                        .run = [=](CommandContext& context) { context.frame.view.*member = name; }});
-    }
+    return {
+        .id = id,
+        .title = title,
+        .menu = "View/Stereo",
+        .help = help,
+        .checked = [member](const CommandContext& context) { return context.frame.view.eyes.*member; },
+        .run = [member](
+                   CommandContext& context) { context.frame.view.eyes.*member = !(context.frame.view.eyes.*member); }};
+}
+
+// A click on the picture does something else until it was done, or until Escape.
+Command click_mode(const char* id, const char* title, const char* menu, const char* help, const char* icon, Click click)
+{
+    return {.id = id,
+            .title = title,
+            .menu = menu,
+            .help = help,
+            .icon = icon,
+            .checked = [click](const CommandContext& context) { return context.frame.view.click == click; },
+            .run =
+                [click](CommandContext& context) {
+                    Click& held = context.frame.view.click;
+                    held = held == click ? Click::select : click;
+                }};
+}
+
+void append_stereo(std::vector<Command>& list, const Readings& readings)
+{
+    append_choices(list, readings.stereo_modes, "", "view.stereo.", "View/Stereo", &ViewState::stereo);
+    list.push_back(click_mode("stereo.converge", "Converge on what is clicked", "View/Stereo",
+                              "The next click on the picture puts what is there into the plane of the screen.",
+                              icon::crosshair, Click::converge));
+    list.back().separator = true;
+    list.push_back(
+        {.id = "stereo.automatic",
+         .title = "Set eyes for comfort",
+         .menu = "View/Stereo",
+         .help = "Sets the eyes' distance and convergence by the nearest and farthest things in the picture.",
+         .run = [](CommandContext& context) { set_comfortable_eyes(context.frame); }});
+    list.push_back(
+        eye_switch("stereo.swap", "Swap eyes", "Gives each eye the other one's picture.", &StereoView::swap));
+    list.push_back(eye_switch("stereo.split", "Compare with the plain anaglyph",
+                              "Shows the plain anaglyph left of a divider that can be dragged.", &StereoView::split));
+    list.push_back(eye_switch("stereo.rivalry", "Mark colours that fight",
+                              "Draws stripes over colours that are bright for one eye and dark for the other.",
+                              &StereoView::rivalry));
+}
+
+void append_field(std::vector<Command>& list, const Readings& readings)
+{
+    list.push_back(click_mode("field.inspect_ray", "Inspect a ray", "View/Field",
+                              "A click on the picture lists every step of the ray that goes there.", icon::search,
+                              Click::inspect));
+    for (const Choice& style : readings.slice_styles)
+        list.push_back({.id = "field.slice." + style.name,
+                        .title = "Slice: " + graph::inside_a_sentence(style.title),
+                        .menu = "View/Field",
+                        .help = style.help,
+                        .separator = &style == &readings.slice_styles.front(),
+                        .checked =
+                            [=](const CommandContext& context) {
+                                const ViewState& view = context.frame.view;
+                                return view.view == "slice" && view.slice.style == style.name;
+                            },
+                        .run =
+                            [=](CommandContext& context) {
+                                context.frame.view.view = "slice";
+                                context.frame.view.slice.style = style.name;
+                            }});
+    list.push_back(
+        {.id = "field.measure_nodes",
+         .title = "Measure nodes",
+         .menu = "View/Field",
+         .help = "Finds out how long each node takes to draw, by drawing the picture without it.",
+         .icon = icon::gauge,
+         .separator = true,
+         .enabled = [](const CommandContext& context) { return !context.frame.readings.node_costs.measuring; },
+         .run = [](CommandContext& context) { context.frame.requests.push_back(MeasureNodes{}); }});
 }
 
 struct PanelName {
@@ -149,6 +211,7 @@ constexpr PanelName panel_names[] = {
     {Panel::lights, "lights", "Lights", "Lists the lights of the scene."},
     {Panel::camera, "camera", "Camera and sky", "Shows the cameras and the sky of the scene."},
     {Panel::cost, "cost", "Cost", "Shows what the scene costs to draw."},
+    {Panel::field, "field", "Field", "Shows the distance slice and the steps of a ray."},
     {Panel::stereo, "stereo", "Stereo", "Shows the distance of the eyes and where they converge."},
     {Panel::shader, "shader", "Shader", "Shows the shader that is written as you edit."},
     {Panel::problems, "problems", "Problems", "Lists what is wrong, with a jump to the node."},
@@ -211,8 +274,11 @@ void append_view_commands(std::vector<Command>& list, const Readings& readings)
     append_workspaces(list);
     append_framing(list);
     append_eye(list);
-    append_choice(list, readings.view_names, view_words, "view.show.", "View/Picture", &ViewState::view);
-    append_choice(list, readings.stereo_names, stereo_words, "view.stereo.", "View/Stereo", &ViewState::stereo);
+    append_choices(list, readings.views, "Show", "view.show.", "View/Picture", &ViewState::view);
+    append_choices(list, readings.colour_maps, "Colour map", "view.colour_map.", "View/Colour map",
+                   &ViewState::colour_map);
+    append_stereo(list, readings);
+    append_field(list, readings);
     list.push_back(toggle("view.statistics", "Statistics", "Shows how long the picture took, in the viewport.",
                           &ViewState::statistics));
     list.back().separator = true;
@@ -222,6 +288,8 @@ void append_view_commands(std::vector<Command>& list, const Readings& readings)
                     .help = "Shows arrows on the selected node's surface that move it.",
                     .checked = [](const CommandContext& context) { return context.frame.view.gizmo; },
                     .run = [](CommandContext& context) { context.viewport.toggle_gizmo(context.frame); }});
+    list.push_back(toggle("view.node_costs", "Costs on nodes", "Shows how long each node takes to draw, once measured.",
+                          &ViewState::node_costs));
     list.push_back(toggle("view.minimap", "Minimap", "Shows the whole graph small in a corner of the canvas.",
                           &ViewState::minimap));
     list.push_back(toggle("view.reduced_motion", "Reduced motion", "Changes views at once instead of gliding there.",

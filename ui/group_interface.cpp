@@ -66,19 +66,33 @@ void GroupInterface::draw(FrameContext& frame)
 }
 
 // A field for a name that is done when the cursor leaves it, in `edited_`; true then.
-bool GroupInterface::name_row(FrameContext& frame, const std::string& path, const std::string& name, float width_px)
+bool GroupInterface::name_row(FrameContext& frame, const std::string& path, const std::string& name, float width_px,
+                              const std::string& hint)
 {
     RowPadding padding(frame.theme);
     bool editing = edited_path_ == path;
     std::string text = editing ? edited_ : name;
     ImGui::SetNextItemWidth(width_px);
-    ImGui::InputText(("##" + path).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::InputTextWithHint(("##" + path).c_str(), hint.c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
     frame.rects.mark(path);
     if (ImGui::IsItemActivated()) editing = true;
     if (editing) edited_path_ = path, edited_ = text;
     if (!ImGui::IsItemDeactivated()) return false;
     edited_path_.clear();
     return editing && edited_ != name;
+}
+
+// What is said of it outside; left empty it is what is said inside. A wire inside makes its value none of the outside's.
+bool GroupInterface::help_row(FrameContext& frame, const std::string& path, const graph::Exposed& exposed,
+                              const graph::NodeType* type)
+{
+    const graph::Parameter* parameter = type ? type->parameter(exposed.socket) : nullptr;
+    std::string inside = parameter && !parameter->help.empty() ? parameter->help : "What it does";
+    bool described = name_row(frame, path, exposed.help, row_field_width(frame), inside);
+    const graph::Node* node = frame.draft.document.root.find(exposed.node);
+    if (parameter && node && node->input(exposed.socket))
+        paragraph("Wired in here: outside it has a socket, whose wire takes the place of this one, and no value.");
+    return described;
 }
 
 void GroupInterface::exposed_row(FrameContext& frame, const graph::Group& group, const graph::Exposed& exposed)
@@ -109,8 +123,12 @@ void GroupInterface::exposed_row(FrameContext& frame, const graph::Group& group,
     ImGui::SameLine(0, 0);
     bool removed = icon_button(frame, "remove", icon::close, "Expose it no more");
     frame.rects.mark(path + "/remove");
+    bool described = help_row(frame, path + "/help", exposed, type);
     ImGui::PopID();
-    if (renamed)
+    if (described)
+        draft.done("Describe " + exposed.name,
+                   graph::describe_exposed(draft.document, group.name, exposed.name, edited_));
+    else if (renamed)
         draft.done("Rename " + exposed.name, graph::rename_exposed(draft.document, group.name, exposed.name, edited_));
     else if (up || down)
         draft.done("Move " + exposed.name,

@@ -11,10 +11,13 @@ public:
     void draw(FrameContext& frame);
 
 private:
-    bool name_row(FrameContext& frame, const std::string& path, const std::string& name, float width_px);
+    bool name_row(FrameContext& frame, const std::string& path, const std::string& name, float width_px,
+                  const std::string& hint = {});
+    bool help_row(FrameContext& frame, const std::string& path, const graph::Exposed& exposed,
+                  const graph::NodeType* type);
     void exposed_row(FrameContext& frame, const graph::Group& group, const graph::Exposed& exposed);
 
-    std::string edited_path_, edited_;  // the name under the cursor
+    std::string edited_path_, edited_;  // the name or help under the cursor
 };
 
 // The menu of a row that is about a parameter or input of a node in the open group: exposes it, or hides it again.

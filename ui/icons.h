@@ -16,7 +16,8 @@ inline constexpr const char *eye = "\xef\x81\xae", *eye_off = "\xef\x81\xb0", *c
 inline constexpr const char *bulb = "\xef\x83\xab", *cube = "\xef\x86\xb2", *cubes = "\xef\x86\xb3",
                             *image = "\xef\x80\xbe";
 inline constexpr const char *play = "\xef\x81\x8b", *pause = "\xef\x81\x8c", *stop = "\xef\x81\x8d",
-                            *rewind = "\xef\x81\x88";
+                            *rewind = "\xef\x81\x88", *backward = "\xef\x81\x8a", *forward = "\xef\x81\x8e",
+                            *loop = "\xef\x81\xb9";
 inline constexpr const char *code = "\xef\x84\xa1", *history = "\xef\x87\x9a", *fire = "\xef\x81\xad",
                             *glasses = "\xef\x87\xa5";
 inline constexpr const char *palette = "\xef\x87\xbc", *sliders = "\xef\x87\x9e", *expand = "\xef\x81\xa5",

@@ -53,7 +53,9 @@ void place_lamp(const FrameContext& frame, graph::Document& document, graph::Nod
     for (int axis = 0; axis < 3; ++axis) place[axis] = std::clamp(rounded(place[axis], unit), -1000.0f, 1000.0f);
     float distance = glm::length(place - eye.pivot);
     float intensity = (lit ? beside_irradiance : alone_irradiance) * distance * distance;
+    bool is_aimed = node->parameter(known_types::light_target);
     graph::set_parameter(document, library, id, known_types::light_position, place);
+    if (is_aimed) graph::set_parameter(document, library, id, known_types::light_target, eye.pivot);
     graph::set_parameter(document, library, id, known_types::light_intensity, rounded(intensity, unit_of(intensity)));
 }
 

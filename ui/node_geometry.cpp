@@ -58,11 +58,34 @@ bool encloses(const std::vector<glm::vec2>& outline, glm::vec2 p)
     return inside;
 }
 
-glm::vec2 node_size(const graph::NodeType& type) { return node_size(type.inputs.size()); }
+InputRows::InputRows(const graph::NodeType& type) { hide_behind(0, type); }
+
+InputRows::InputRows(const graph::Node& node, const graph::NodeType* type)
+{
+    if (!type) {
+        first_hidden_ = count_ = node.inputs.size();
+        return;
+    }
+    std::size_t wired = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(type->most_inputs); ++i)
+        if (node.input(type->inputs[i].name)) wired = i + 1;
+    hide_behind(wired, *type);
+}
+
+// Two at least, for a combiner of one shape is none.
+void InputRows::hide_behind(std::size_t wired, const graph::NodeType& type)
+{
+    auto fields = static_cast<std::size_t>(type.most_inputs);
+    first_hidden_ = std::min(std::max<std::size_t>(wired + 1, 2), fields);
+    hidden_ = fields - first_hidden_;
+    count_ = type.inputs.size() - hidden_;
+}
+
+glm::vec2 node_size(const graph::NodeType& type) { return node_size(InputRows(type).count()); }
 
 glm::vec2 node_size(const graph::Node& node, const graph::NodeType* type)
 {
-    return node_size(type ? type->inputs.size() : node.inputs.size());
+    return node_size(InputRows(node, type).count());
 }
 
 glm::vec2 input_offset(std::size_t row)

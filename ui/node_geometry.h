@@ -27,9 +27,26 @@ struct Box {
 Box box_between(glm::vec2 one, glm::vec2 other);
 bool encloses(const std::vector<glm::vec2>& outline, glm::vec2 p);  // closed; even-odd where it crosses itself
 
+// The inputs that a node shows, top to bottom: all of its type, but of a combiner of many only those up to the first
+// free one behind the last that is wired. Of a node of unknown type those that are wired.
+class InputRows {
+public:
+    explicit InputRows(const graph::NodeType& type);  // nothing wired
+    InputRows(const graph::Node& node, const graph::NodeType* type);
+    std::size_t count() const { return count_; }
+    std::size_t input(std::size_t row) const
+    {
+        return row < first_hidden_ ? row : row + hidden_;
+    }  // index of the type's
+
+private:
+    void hide_behind(std::size_t wired, const graph::NodeType& type);
+
+    std::size_t count_ = 0, first_hidden_ = 0, hidden_ = 0;
+};
+
 glm::vec2 node_size(std::size_t input_count);
 glm::vec2 node_size(const graph::NodeType& type);
-// Of a node of unknown type, whose sockets are those that are wired.
 glm::vec2 node_size(const graph::Node& node, const graph::NodeType* type);
 
 // From the node's corner.

@@ -24,7 +24,8 @@ constexpr Tab tabs[] = {
     {Panel::lights, "lights", "Lights", "What shines: the sun and lamps"},
     {Panel::camera, "camera", "Camera", "Where the picture is seen from, and the sky behind it"},
     {Panel::cost, "cost", "Cost", "What the scene asks of the machine, and the steps heatmap"},
-    {Panel::stereo, "stereo", "Stereo", "Red-cyan pictures for two eyes"},
+    {Panel::field, "field", "Field", "The field on a plane, and the way of a ray through it"},
+    {Panel::stereo, "stereo", "Stereo", "Pictures for two eyes, and how comfortable they are"},
     {Panel::shader, "shader", "Shader", "The live GLSL of the scene, and its export"},
     {Panel::problems, "problems", "Problems", "What is wrong with the scene, and where"},
     {Panel::history, "history", "History", "The steps that were made; click one to go back to it"},
@@ -87,7 +88,7 @@ void tab_bar(FrameContext& frame)
 {
     const Theme& theme = frame.theme;
     float room = ImGui::GetContentRegionAvail().x;
-    int columns = room >= theme.px(660) ? static_cast<int>(std::size(tabs)) : 4;
+    int columns = room >= theme.px(660) ? static_cast<int>(std::size(tabs)) : 5;
     float gap = theme.px(2), left = ImGui::GetCursorPosX();
     float pitch = (room + gap) / static_cast<float>(columns);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, gap));
@@ -130,6 +131,7 @@ void Panels::page(FrameContext& frame)
         case Panel::lights: return draw_lights_panel(frame, lights_);
         case Panel::camera: return draw_camera_panel(frame, cameras_, skies_);
         case Panel::cost: return draw_cost_panel(frame);
+        case Panel::field: return draw_field_panel(frame);
         case Panel::stereo: return draw_stereo_panel(frame);
         case Panel::shader: return shader_.draw(frame);
         case Panel::problems: return draw_problems_panel(frame);

@@ -2,12 +2,16 @@
 #include "ui/parameter_rows.h"
 
 #include "graph/contours.h"
+#include "graph/groups.h"
 #include "graph/known_types.h"
+#include "ui/choice_field.h"
 #include "ui/colour_field.h"
 #include "ui/commands.h"
 #include "ui/curve_field.h"
 #include "ui/drawing_field.h"
+#include "ui/font_menu.h"
 #include "ui/group_interface.h"
+#include "ui/node_geometry.h"
 #include "ui/node_words.h"
 #include "ui/number_field.h"
 #include "ui/number_text.h"
@@ -24,6 +28,8 @@ namespace {
 
 using graph::Parameter;
 using graph::ParameterKind;
+
+constexpr std::string_view font_parameter = "font";
 
 // One row being drawn.
 struct Row {
@@ -96,45 +102,6 @@ void boolean_row(const Row& row)
     if (changed) row.write(on);
 }
 
-// What is chosen, and an arrow, over the frame of a combo.
-void draw_combo(const Theme& theme, ImDrawList& draw, ImVec2 low, ImVec2 high, const std::string& shown)
-{
-    float y = low.y + std::floor(0.5f * (theme.row() - ImGui::GetFontSize()));
-    draw.AddText({low.x + theme.px(8), y}, colour::text, fitted(shown, high.x - low.x - theme.px(34)).c_str());
-    ImVec2 middle(high.x - theme.px(13), 0.5f * (low.y + high.y) + theme.px(1));
-    float arm = theme.px(3.5f);
-    ImVec2 arrow[] = {{middle.x - arm, middle.y - 0.5f * arm},
-                      {middle.x, middle.y + 0.5f * arm},
-                      {middle.x + arm, middle.y - 0.5f * arm}};
-    draw.AddPolyline(arrow, 3, colour::quiet_text, 0, theme.px(1.5f));
-}
-
-// A combo of the words; the chosen one, or nothing.
-template <typename Label>
-std::optional<std::size_t> combo(const Row& row, const std::string& shown, std::size_t count, const Label& label)
-{
-    const Theme& theme = row.frame.theme;
-    ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + row.width_px, low.y + theme.row());
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    RowPadding padding(theme);
-    ImGui::SetNextItemWidth(row.width_px);
-    ImGui::SetNextWindowSizeConstraints({row.width_px, 0}, {row.width_px, theme.px(360)});
-    bool open = ImGui::BeginCombo("##combo", nullptr, ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
-    draw_combo(theme, draw, low, high, shown);
-    row.frame.rects.mark(row.path, {{low.x, low.y}, {high.x, high.y}});
-    if (!open) return std::nullopt;
-    std::optional<std::size_t> chosen;
-    float room = ImGui::GetContentRegionAvail().x;
-    for (std::size_t i = 0; i < count; ++i) {
-        auto [word, text] = label(i);
-        if (ImGui::Selectable((fitted(text, room) + "##" + word).c_str(), text == shown, 0, {0, theme.px(20)}))
-            chosen = i;
-        row.mark("choice/" + word);
-    }
-    ImGui::EndCombo();
-    return chosen;
-}
-
 // The inputs are called as they are on the node.
 std::string choice_words(const std::string& word)
 {
@@ -146,7 +113,8 @@ void choice_row(const Row& row)
     std::string current = value_of<std::string>(row);
     const auto& words = row.parameter.choices;
     auto label = [&](std::size_t i) { return std::pair(words[i], choice_words(words[i])); };
-    if (auto chosen = combo(row, choice_words(current), words.size(), label)) row.write(words[*chosen]);
+    if (auto chosen = choice_list(row.frame, row.path, row.width_px, choice_words(current), words.size(), label))
+        row.write(words[*chosen]);
 }
 
 void colour_row(const Row& row)
@@ -166,7 +134,8 @@ void material_row(const Row& row)
     auto label = [&](std::size_t i) {
         return std::pair(std::to_string(materials[i]->id.number), title_of(*materials[i], row.library()));
     };
-    auto chosen = combo(row, materials.empty() ? "No materials yet" : "Choose a material", materials.size(), label);
+    auto chosen = choice_list(row.frame, row.path, row.width_px,
+                              materials.empty() ? "No materials yet" : "Choose a material", materials.size(), label);
     if (!chosen) return;
     std::string name = "Give " + graph::title_inside(row.node, row.library()) + " the material " +
                        graph::title_inside(*materials[*chosen], row.library());
@@ -177,8 +146,14 @@ void material_row(const Row& row)
 void text_row(const Row& row)
 {
     auto text = value_of<std::string>(row);
-    bool changed = text_field(row.frame, "##text", text, row.width_px);
+    bool has_menu = row.parameter.name == font_parameter && row.frame.readings.font_families;
+    float button = has_menu ? row.frame.theme.row() : 0;
+    bool changed = text_field(row.frame, "##text", text, row.width_px - button);
     row.mark();
+    if (has_menu) {
+        ImGui::SameLine(0, 0);
+        if (auto chosen = font_menu(row.frame, row.path, text)) text = *chosen, changed = true;
+    }
     if (changed) row.write(std::move(text));
 }
 
@@ -368,7 +343,8 @@ void parameter_rows(FrameContext& frame, std::string_view path, graph::NodeId id
     const graph::NodeType* type = node ? frame.draft.library.type(node->type) : nullptr;
     if (!type) return;
     ImGui::PushID(static_cast<int>(id.number));
-    for (const Parameter& parameter : type->parameters) parameter_row(frame, path, id, parameter);
+    for (const Parameter& parameter : type->parameters)
+        if (!graph::ready_made(parameter.name).first) parameter_row(frame, path, id, parameter);
     ImGui::PopID();
 }
 
@@ -384,7 +360,9 @@ void input_rows(FrameContext& frame, std::string_view path, graph::NodeId id)
     const graph::NodeType* type = node ? frame.draft.library.type(node->type) : nullptr;
     if (!type) return;
     ImGui::PushID(static_cast<int>(id.number));
-    for (const graph::Socket& socket : type->inputs) {
+    InputRows rows(*node, type);
+    for (std::size_t row = 0; row < rows.count(); ++row) {
+        const graph::Socket& socket = type->inputs[rows.input(row)];
         if (type->parameter(socket.name)) continue;
         ImGui::PushID(socket.name.c_str());
         ImVec2 low = ImGui::GetCursorScreenPos();

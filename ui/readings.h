@@ -3,7 +3,7 @@
 
 #include "graph/program.h"
 
-#include <imgui.h>
+#include "ui/choices.h"
 
 #include <functional>
 #include <map>
@@ -16,17 +16,56 @@ namespace fieldwright::ui {
 
 // The newest picture of the viewport.
 struct PictureReading {
-    ImTextureID texture = nullptr;  // null while there is none
-    int width = 0, height = 0;      // px it was drawn with
-    bool full = false;              // full resolution; else it is being refined
-    float progress = 0;             // of the picture being drawn, 0 to 1
+    ImTextureID texture = nullptr;        // null while there is none
+    int width = 0, height = 0;            // px it was drawn with
+    bool full = false;                    // full resolution; else it is being refined
+    int samples = 1, samples_wanted = 1;  // of a pixel, in it and in the end
+    float progress = 0;                   // of the picture being drawn, 0 to 1
     float draw_ms = 0;
     float mean_steps = 0;  // of eye rays
+    int p99_steps = 0;     // 99 of 100 rays take at most so many
     int max_steps = 0;
-    float exhausted_share = 0;       // of pixels out of steps
-    std::string device;              // "cpu", "gpu llvmpipe", ...
-    bool compiling = false;          // a shader is on its way
-    double pictures_per_second = 0;  // while something moves
+    float exhausted_share = 0;             // of pixels out of steps
+    std::optional<double> fighting_share;  // of pixels over whose colour the eyes fight; nothing of one eye
+    double evaluations = 0;                // of the field, by all rays; 0 = not counted
+    std::string device;                    // "cpu", "gpu llvmpipe", ...
+    bool compiling = false;                // a shader is on its way
+    double pictures_per_second = 0;        // while something moves
+};
+
+// Nearest and farthest of what is seen, without the last hundredth on either side.
+struct DepthRange {
+    float near = 0, far = 0;  // m
+};
+
+// The steps of the last picture as a small picture of its own.
+struct StepsPicture {
+    ImTextureID texture = nullptr;
+    int width = 0, height = 0;  // px
+};
+
+// Drawing time of the nodes on the CPU: what the picture would take less without each.
+struct NodeCosts {
+    bool measuring = false;
+    float progress = 0;                       // 0 to 1
+    double picture_ms = 0;                    // the whole picture; 0 = not measured
+    std::map<graph::NodeId, double> by_node;  // ms
+    std::string failure;                      // why there is none
+};
+
+// The ray that is inspected: what the marcher saw on its way.
+struct RayReading {
+    struct Step {
+        float t, distance, cone_ratio;  // m, m, distance by way
+    };
+    enum class End { hit, missed, out_of_steps };
+
+    glm::vec3 origin{0}, direction{0, 0, -1};  // world space
+    std::vector<Step> steps;
+    End end = End::missed;
+    float t_end = 0;  // m
+
+    glm::vec3 at(float t) const { return origin + t * direction; }
 };
 
 struct Measured {  // the box around a surface; unbounded sides are 1e6
@@ -79,10 +118,19 @@ struct Readings {
     std::vector<std::string> export_targets;          // "glsl", "shadertoy"
 
     PictureReading picture;
-    std::vector<std::string> view_names, stereo_names;  // of `ViewState::view` and `stereo`
+    // Of the members of `ViewState` of these names.
+    std::vector<ViewChoice> views;
+    std::vector<StereoChoice> stereo_modes;
+    std::vector<ColourMapChoice> colour_maps;
+    std::vector<Choice> slice_styles;
     // What the picture shows at a pixel of it (top-left origin).
     std::function<graph::NodeId(int x, int y)> node_at;
     std::function<std::optional<float>(int x, int y)> depth_at;  // m along the view axis; nothing on a miss
+    // Of what the picture shows, m along the view axis; nothing where it shows only sky.
+    std::function<std::optional<DepthRange>()> depth_range;
+    StepsPicture steps_picture;  // while the cost panel is open
+    NodeCosts node_costs;
+    std::shared_ptr<const RayReading> ray;  // null while none is inspected
     // In the node's own space, before what its readers do to it. NodeId{} = the whole scene.
     std::function<std::optional<Measured>(graph::NodeId)> bounds_of;
     std::function<std::optional<BlendCurve>(graph::NodeId)> blend_of;  // of a smooth combiner; nothing of others
@@ -101,6 +149,8 @@ struct Readings {
     std::vector<Recovered> recovered;
     std::vector<ForeignCode> foreign_code;  // waits to be allowed
     std::vector<SavedGroup> saved_groups;
+    // Families of the fonts that are installed, by name; found when it is first asked.
+    std::function<const std::vector<std::string>&()> font_families;
     std::vector<Example> examples;  // the best to begin with first
     bool dialog_open = false;       // a native file dialog is up; the window waits for nothing
 

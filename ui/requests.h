@@ -60,10 +60,14 @@ struct AllowSceneCode {};  // what the scene brought with it may run, too
 struct SaveOwnNode {       // into the user's folder of nodes
     std::string type;
 };
+struct MeasureNodes {};  // in the background: Readings::node_costs
+struct InspectRay {      // through this pixel of the shown picture; its answer is Readings::ray
+    int x, y;
+};
 struct Quit {};
 
 using Request = std::variant<NewScene, OpenFile, OpenExample, SaveFile, SaveFileAs, ExportFile, ExportPicture,
                              UsePicture, ChooseFile, SaveGroup, ForgetRecent, Undo, Redo, JumpTo, Recover,
-                             DiscardRecovered, TrustCode, AllowSceneCode, SaveOwnNode, Quit>;
+                             DiscardRecovered, TrustCode, AllowSceneCode, SaveOwnNode, MeasureNodes, InspectRay, Quit>;
 
 }  // namespace fieldwright::ui

@@ -2,12 +2,15 @@
 #include "ui/scene_camera.h"
 
 #include "graph/groups.h"
+#include "graph/known_types.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace fieldwright::ui {
 namespace {
+
+constexpr float widest_view_rad = 2.6f;  // that a view without a bent projection takes over
 
 template <typename T>
 const T* stored(const graph::Node& node, std::string_view name)
@@ -37,6 +40,8 @@ std::optional<SceneCamera> scene_camera(const graph::Document& document)
     camera.eye.field_of_view_rad =
         height ? 2 * std::atan(0.5f * *height / camera.eye.distance) : glm::radians(*angle_deg);
     camera.eye.rays_from = camera.eye.distance;
+    camera.bent = node->type != graph::known_types::perspective && node->type != graph::known_types::orthographic;
+    if (camera.bent) camera.eye.field_of_view_rad = std::min(camera.eye.field_of_view_rad, widest_view_rad);
     return camera;
 }
 

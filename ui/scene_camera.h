@@ -11,6 +11,7 @@ namespace fieldwright::ui {
 struct SceneCamera {
     ViewCamera eye;
     bool driven = false;  // wires decide about its place, so that `eye` is only where it was left
+    bool bent = false;    // its rays lie otherwise than those of `eye`, which only looks the same way
 };
 
 // The camera that the output uses; nothing when it has none, or one of a type of its own.

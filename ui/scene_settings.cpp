@@ -1,118 +1,99 @@
-// Rows of march and occlusion settings, from the table of their ranges.
+// The sections of the scene's settings: which rows they have, and when.
 #include "ui/scene_settings.h"
 
-#include "graph/settings.h"
-#include "ui/number_field.h"
+#include "graph/edits.h"
+#include "ui/setting_rows.h"
 #include "ui/widgets.h"
-
-#include <algorithm>
 
 namespace fieldwright::ui {
 namespace {
 
-struct Words {
-    std::string_view name, unit, help;
-    double soft_minimum, soft_maximum;
-};
-
-constexpr Words words[] = {
-    {"step_limit", "", "Most steps that a ray takes. More reaches farther into grazing angles and costs time.", 16,
-     512},
-    {"minimum_step", "m", "Shortest step; longer is faster and may pass through thin things.", 0, 0.01},
-    {"tolerance", "m", "How near to a surface a ray counts as arrived; smaller shows finer detail.", 0, 0.01},
-    {"near", "m", "Where along the ray the scene begins.", 0, 1},
-    {"far", "m", "Where along the ray the scene ends.", 1, 500},
-    {"strength", "", "How dark corners get where little of the sky is seen; 0 is off.", 0, 1},
-    {"radius", "m", "How far above a surface other things darken it.", 0.01, 5}};
-
-const Words& words_of(std::string_view name)
+// Rows of one structure, and what becomes of a change.
+template <typename Settings, typename Draw, typename Change>
+void settings(FrameContext& frame, std::string path, std::string_view group, const graph::SettingTable<Settings>& table,
+              const Settings& now, const Draw& draw, const Change& change)
 {
-    return *std::find_if(std::begin(words), std::end(words) - 1, [&](const Words& w) { return w.name == name; });
+    SettingRows rows(frame, std::move(path), group, table, now);
+    draw(rows);
+    if (!rows.step().empty()) frame.draft.done(rows.step(), change(frame.draft.document, rows.settings()));
 }
 
-NumberStyle style_of(std::string_view name, double minimum, double maximum)
+void march_rows(FrameContext& frame, SettingRows<graph::MarchSettings>& rows)
 {
-    const Words& entry = words_of(name);
-    return {.minimum = minimum,
-            .maximum = maximum,
-            .soft_minimum = std::max(entry.soft_minimum, minimum),
-            .soft_maximum = entry.soft_maximum,
-            .unit = std::string(entry.unit),
-            .tip = std::string(entry.help)};
+    section(frame, "Ray marching");
+    rows.row("method");
+    bool constant = rows.settings().constant_steps;
+    if (constant) rows.row("constant_step");
+    rows.row("step_limit");
+    if (!constant) rows.row("minimum_step");
+    for (const char* name : {"tolerance", "near", "far"}) rows.row(name);
+    if (!constant) rows.row("step_scale_from");
+    if (!constant && rows.settings().own_step_scale) rows.row("step_scale");
+    rows.row("out_of_steps");
+    section(frame, "Normals");
+    rows.row("normals");
+    rows.row("normal_step");
 }
 
-// Draws one row; true when the value changed, and `verb` says how.
-bool setting_row(FrameContext& frame, std::string_view path, std::string_view name, double& value, double initial,
-                 NumberStyle style, std::string& step)
+void occlusion_rows(FrameContext& frame, SettingRows<graph::OcclusionSettings>& rows)
 {
-    std::string title = in_words(name), mark = std::string(path) + "/" + std::string(name);
-    ImGui::PushID(mark.c_str());
-    style.width_px = begin_row(frame, title, style.tip);
-    bool changed = number_field(frame, "##number", title, value, style);
-    frame.rects.mark(mark);
-    std::string words_of_step = graph::inside_a_sentence(title);
-    if (changed) step = "Change " + words_of_step;
-    if (value != initial) {
-        to_row_end(frame);
-        if (icon_button(frame, "reset", icon::undo, "Reset to the default")) {
-            value = initial;
-            step = "Reset " + words_of_step;
-            changed = true;
-        }
-        frame.rects.mark(mark + "/reset");
-    }
-    ImGui::PopID();
-    return changed;
+    section(frame, "Occlusion");
+    for (const char* name : {"kind", "strength", "radius", "samples"}) rows.row(name);
 }
 
-template <typename Settings, typename Numbers>
-bool number_rows(FrameContext& frame, std::string_view path, const Numbers& numbers, Settings& settings,
-                 std::string& step)
+// A reset gives the bounces of new scenes.
+void bounces_row(FrameContext& frame, const std::string& path)
 {
-    const Settings initial;
-    bool changed = false;
-    for (const auto& number : numbers) {
-        double value = settings.*number.member;
-        if (!setting_row(frame, path, number.name, value, initial.*number.member,
-                         style_of(number.name, number.minimum, number.maximum), step))
-            continue;
-        settings.*number.member = std::clamp(static_cast<float>(value), number.minimum, number.maximum);
-        changed = true;
-    }
-    return changed;
+    section(frame, "Mirrors and glass");
+    std::string step;
+    double bounces = frame.draft.document.bounces;
+    NumberStyle style{.minimum = 0, .maximum = graph::bounces_maximum, .whole = true};
+    if (number_setting(frame, path + "/bounces", setting_words("bounces", "bounces"), bounces,
+                       graph::bounces_of_new_scenes, style, step))
+        frame.draft.done(step, graph::set_bounces(frame.draft.document, static_cast<int>(bounces)));
 }
 
-bool march_rows(FrameContext& frame, std::string_view path, graph::MarchSettings& march, std::string& step)
+void fog_rows(FrameContext& frame, SettingRows<graph::FogSettings>& rows)
 {
-    NumberStyle style = style_of("step_limit", 1, graph::step_limit_maximum);
-    style.whole = true;
-    double limit = march.step_limit;
-    bool changed = setting_row(frame, path, "step_limit", limit, graph::MarchSettings{}.step_limit, style, step);
-    march.step_limit = static_cast<int>(limit);
-    changed |= number_rows(frame, path, graph::march_numbers, march, step);
-    begin_row(frame, "Out of steps", "What a ray that ran out of steps shows: the sky, or the place where it stopped.");
-    std::string outcome = march.out_of_steps_hits ? "hit" : "miss";
-    std::string mark = std::string(path) + "/out_of_steps";
-    if (segments(frame, mark, {{"miss", "Sky"}, {"hit", "Surface"}}, outcome)) {
-        march.out_of_steps_hits = outcome == "hit";
-        step = "Change out of steps";
-        changed = true;
-    }
-    return changed;
+    section(frame, "Fog");
+    for (const char* name : {"density", "start", "height_falloff", "colour"}) rows.row(name);
+}
+
+void picture_rows(FrameContext& frame, SettingRows<graph::PictureSettings>& rows)
+{
+    section(frame, "Picture");
+    for (const char* name : {"samples", "tone_map", "exposure", "shutter", "backdrop"}) rows.row(name);
+    if (rows.settings().backdrop == graph::Backdrop::colour) rows.row("backdrop_colour");
+}
+
+void animation_rows(FrameContext& frame, SettingRows<graph::AnimationSettings>& rows)
+{
+    section(frame, "Animation");
+    for (const char* name : {"first_frame", "last_frame", "frames_per_second"}) rows.row(name);
 }
 
 }  // namespace
 
 void scene_settings(FrameContext& frame, std::string_view path)
 {
-    std::string step;
-    section(frame, "Ray marching");
-    graph::MarchSettings march = frame.draft.document.march;
-    if (march_rows(frame, path, march, step)) frame.draft.done(step, graph::set_march(frame.draft.document, march));
-    section(frame, "Occlusion");
-    graph::OcclusionSettings occlusion = frame.draft.document.occlusion;
-    if (number_rows(frame, path, graph::occlusion_numbers, occlusion, step))
-        frame.draft.done(step, graph::set_occlusion(frame.draft.document, occlusion));
+    const graph::Document& document = frame.draft.document;
+    std::string place(path);
+    settings(
+        frame, place, "march", graph::march_table, document.march, [&](auto& rows) { march_rows(frame, rows); },
+        graph::set_march);
+    settings(
+        frame, place + "/occlusion", "occlusion", graph::occlusion_table, document.occlusion,
+        [&](auto& rows) { occlusion_rows(frame, rows); }, graph::set_occlusion);
+    bounces_row(frame, place);
+    settings(
+        frame, place + "/fog", "fog", graph::fog_table, document.fog, [&](auto& rows) { fog_rows(frame, rows); },
+        graph::set_fog);
+    settings(
+        frame, place, "picture", graph::picture_table, document.picture, [&](auto& rows) { picture_rows(frame, rows); },
+        graph::set_picture);
+    settings(
+        frame, place, "animation", graph::animation_table, document.animation,
+        [&](auto& rows) { animation_rows(frame, rows); }, graph::set_animation);
 }
 
 }  // namespace fieldwright::ui

@@ -1,4 +1,4 @@
-// The scene's own numbers: how rays march, and occlusion.
+// The scene's own numbers: how rays march and bounce, occlusion, and fog.
 #pragma once
 
 #include "ui/frame_context.h"

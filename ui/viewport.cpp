@@ -2,6 +2,8 @@
 #include "ui/viewport.h"
 
 #include "ui/scene_camera.h"
+#include "ui/slice_frame.h"
+#include "ui/transport.h"
 #include "ui/viewport_empty.h"
 #include "ui/viewport_overlay.h"
 
@@ -17,11 +19,20 @@ using Handle = TranslateGizmo::Handle;
 
 constexpr float click_px = 3;                            // a press that moves less is a click; design px
 constexpr float turn_per_px = 0.0075f;                   // rad, per design px
+constexpr float divider_reach_px = 6;                    // either side, design px
 constexpr float px_per_notch = 20;                       // of a dolly drag, design px
 constexpr float axes_inset_px = 56, axes_room_px = 200;  // the axis gizmo's centre from the corner; least pane
 
 ImVec2 im(glm::vec2 v) { return {v.x, v.y}; }
 glm::vec2 vec(ImVec2 v) { return {v.x, v.y}; }
+
+// Whether a place of the picture is a direction of the eye: not on a slice, and not where two pictures share the pane.
+bool shows_space(const FrameContext& frame)
+{
+    if (frame.view.view == "slice") return false;
+    const StereoChoice* mode = find_choice(frame.readings.stereo_modes, frame.view.stereo);
+    return !mode || mode->across * mode->down == 1;
+}
 
 }  // namespace
 
@@ -37,9 +48,13 @@ void Viewport::draw(FrameContext& frame)
     place_handles(frame);
     hands(frame);
     draw_handles(frame);
+    draw_divider(frame);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_statistics(frame, list, pane_);
-    draw_steps_legend(frame, list, pane_);
+    draw_slice_overlay(frame, list, pane_);
+    WidgetRect above{pane_.low, {pane_.high.x, pane_.high.y - transport_height(frame)}};
+    draw_statistics(frame, list, above);
+    draw_legend(frame, list, above);
+    draw_transport(frame, pane_);
     draw_toolbar(frame, *this, pane_);
     if (frame.readings.picture.texture) draw_nothing_to_see(frame, pane_);
     draw_projection(frame);
@@ -55,7 +70,7 @@ void Viewport::draw_picture(const FrameContext& frame) const
 void Viewport::place_handles(FrameContext& frame)
 {
     glm::vec2 size = pane_.high - pane_.low;
-    std::optional<ViewCamera> eye = shown_eye(frame);
+    std::optional<ViewCamera> eye = shows_space(frame) ? shown_eye(frame) : std::nullopt;
     axes_shown_ = eye && std::min(size.x, size.y) >= frame.theme.px(axes_room_px);
     glm::vec2 inset = frame.theme.px(axes_inset_px) * glm::vec2(1, 1);
     if (axes_shown_) axes_.place({pane_.high.x - inset.x, pane_.low.y + inset.y}, *eye, frame.theme);
@@ -78,13 +93,15 @@ void Viewport::hands(FrameContext& frame)
         hot_axes_ = on_picture_ && axes_shown_ && axes_.contains(pane_.low + mouse_);
         hot_sun_ = on_picture_ && !hot_axes_ && sun_.is_under(mouse_, frame.theme);
         hot_ = on_picture_ && !hot_axes_ ? gizmo_.handle_at(mouse_, frame.theme) : Handle::none;
+        float reach = frame.theme.px(divider_reach_px);
+        hot_divider_ = on_picture_ && has_divider(frame) && std::abs(mouse_.x - divider_x(frame)) <= reach;
     }
+    if (hovered_ && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) frame.view.click = Click::select;
     if (ImGui::IsItemActivated()) press(ImGui::GetCurrentContext()->ActiveIdMouseButton);
     if (grab_ && ImGui::IsItemActive()) drag(frame);
     else if (grab_) release(frame);
     if (on_picture_ && !grab_ && ImGui::GetIO().MouseWheel != 0) {
-        leave_camera(frame);
-        frame.view.camera.dolly(ImGui::GetIO().MouseWheel);
+        zoom(frame, ImGui::GetIO().MouseWheel);
     }
     if (hovered_ || was_hovered) frame.view.hint = hovered_ ? hint(frame) : "";
 }
@@ -100,6 +117,7 @@ void Viewport::press(int button)
     if (button == 0 && hot_axes_) on = Grab::On::axes, turn = Turn::orbit;
     if (button == 0 && hot_ != Handle::none) on = Grab::On::handle, gizmo_.grab(hot_, mouse_);
     if (button == 0 && hot_sun_) on = Grab::On::sun, sun_.grab(mouse_);
+    if (button == 0 && hot_divider_) on = Grab::On::divider;
     grab_ = Grab{on, turn, button, mouse_, mouse_};
 }
 
@@ -113,6 +131,9 @@ void Viewport::drag(FrameContext& frame)
     grab_->last = mouse_;
     if (grab_->on == Grab::On::handle) gizmo_.drag(frame, {mouse_, io.KeyCtrl, io.KeyShift});
     else if (grab_->on == Grab::On::sun) sun_.drag(frame, {mouse_, io.KeyCtrl, io.KeyShift});
+    else if (grab_->on == Grab::On::divider)
+        frame.view.eyes.divider = std::clamp(mouse_.x / std::max(pane_.high.x - pane_.low.x, 1.0f), 0.0f, 1.0f);
+    else if (frame.view.view == "slice") move_slice(frame, way);
     else if (way != glm::vec2(0)) turn_eye(frame, grab_->turn, way);
 }
 
@@ -123,7 +144,7 @@ void Viewport::release(FrameContext& frame)
     gizmo_.let_go();
     sun_.let_go();
     if (grab.moved || grab.button != 0 || !has_mouse_) return;  // without a mouse: the window lost it
-    if (grab.on == Grab::On::picture) choose_node(frame, grab.from);
+    if (grab.on == Grab::On::picture) click(frame, grab.from);
     if (grab.on != Grab::On::axes) return;
     std::optional<Side> side = axes_.side_at(pane_.low + grab.from);
     if (!side) return;
@@ -147,11 +168,9 @@ graph::NodeId Viewport::node_under(const FrameContext& frame, glm::vec2 at) cons
 {
     const PictureReading& picture = frame.readings.picture;
     if (!picture.texture || !frame.readings.node_at) return {};
-    glm::vec2 share = at / glm::max(pane_.high - pane_.low, glm::vec2(1));
-    int x = static_cast<int>(share.x * static_cast<float>(picture.width));
-    int y = static_cast<int>(share.y * static_cast<float>(picture.height));
-    if (share.x < 0 || share.y < 0 || x >= picture.width || y >= picture.height) return {};
-    graph::NodeId node = frame.readings.node_at(x, y);
+    glm::ivec2 pixel = pixel_under(frame, at);
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= picture.width || pixel.y >= picture.height) return {};
+    graph::NodeId node = frame.readings.node_at(pixel.x, pixel.y);
     return frame.draft.document.root.find(node) ? node : graph::NodeId{};
 }
 
@@ -173,7 +192,12 @@ std::string Viewport::hint(const FrameContext& frame) const
     if (hot_ != Handle::none) return "Drag to move along this axis. Ctrl snaps to 0.1 m, Shift is fine.";
     if (hot_sun_) return "Drag to turn the sun. Ctrl snaps to 5°, Shift is fine.";
     if (hot_axes_) return "Drag to orbit, click a ball to look along its axis.";
+    if (hot_divider_) return "Drag: the plain anaglyph is left of it.";
+    if (frame.view.view == "slice") return slice_hint(frame, mouse_, pane_.high - pane_.low);
     if (grab_) return "";
+    if (frame.view.click == Click::converge)
+        return "Click what is to appear in the plane of the screen. Esc leaves it.";
+    if (frame.view.click == Click::inspect) return "Click where the ray that is inspected goes. Esc leaves it.";
     const graph::Node* node = frame.draft.document.root.find(node_under(frame, mouse_));
     const graph::NodeType* type = node ? frame.draft.library.type(node->type) : nullptr;
     if (!node) return "Drag to orbit, Shift-drag to pan, scroll to come closer.";

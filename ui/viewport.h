@@ -38,7 +38,7 @@ private:
     };
     // A mouse button that went down here and is still held.
     struct Grab {
-        enum class On { picture, axes, handle, sun } on;
+        enum class On { picture, axes, handle, sun, divider } on;
         Turn turn;
         int button;
         glm::vec2 from, last;  // px of the pane
@@ -59,12 +59,19 @@ private:
     void turn_eye(FrameContext& frame, Turn turn, glm::vec2 way_px);
     void leave_axis_view(FrameContext& frame);
     void release(FrameContext& frame);
+    void click(FrameContext& frame, glm::vec2 at);
     void choose_node(FrameContext& frame, glm::vec2 at);
+    glm::ivec2 pixel_under(const FrameContext& frame, glm::vec2 at) const;  // of the picture
+    float divider_x(const FrameContext& frame) const;                       // px of the pane
+    bool has_divider(const FrameContext& frame) const;
+    void move_slice(FrameContext& frame, glm::vec2 way_px);
+    void zoom(FrameContext& frame, float notches);
     graph::NodeId node_under(const FrameContext& frame, glm::vec2 at) const;
     std::string hint(const FrameContext& frame) const;
 
     void draw_picture(const FrameContext& frame) const;
     void draw_handles(FrameContext& frame);
+    void draw_divider(FrameContext& frame);
     void draw_projection(FrameContext& frame);
 
     WidgetRect pane_;
@@ -76,7 +83,7 @@ private:
     AxisGizmo axes_;
     bool axes_shown_ = false;
     TranslateGizmo::Handle hot_ = TranslateGizmo::Handle::none;
-    bool hot_axes_ = false, hot_sun_ = false;
+    bool hot_axes_ = false, hot_sun_ = false, hot_divider_ = false;
     std::optional<Grab> grab_;
     std::optional<Motion> motion_;
     bool perspective_before_axis_view_ = false;

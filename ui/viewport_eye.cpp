@@ -23,7 +23,7 @@ std::optional<ViewCamera> Viewport::shown_eye(const FrameContext& frame) const
 {
     if (!looks_through_camera(frame)) return frame.view.camera;
     std::optional<SceneCamera> camera = scene_camera(frame.draft.document);
-    return camera && !camera->driven ? std::optional(camera->eye) : std::nullopt;
+    return camera && !camera->driven && !camera->bent ? std::optional(camera->eye) : std::nullopt;
 }
 
 bool Viewport::looks_through_camera(const FrameContext& frame) const

@@ -6,6 +6,11 @@ void main()
 {
     update_frame();
     vec2 uv = (2.0 * gl_FragCoord.xy - resolution) / resolution.y;
-    Pixel pixel = trace_pixel(scene_ray(uv), MARCH, STEP_BUDGET, 1 + SHADOW_COUNT + min(int(resolution.x), 0));
-    colour_out = vec4(srgb_encode(clamp(pixel.colour, vec3(0.0), vec3(1.0))), 1.0);
+    int ray_count = 1 + SHADOW_COUNT + min(int(resolution.x), 0);
+#if FOG
+    Pixel pixel = trace_pixel(scene_ray(uv, vec2(0.0)), MARCH, FOG, STEP_BUDGET, ray_count);
+#else
+    Pixel pixel = trace_pixel(scene_ray(uv, vec2(0.0)), MARCH, STEP_BUDGET, ray_count);
+#endif
+    colour_out = shown_pixel(pixel);
 }

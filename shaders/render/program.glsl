@@ -29,8 +29,16 @@ Material mix_material(Material a, Material b, float weight)
     material.specular = mix(a.specular, b.specular, weight);
     material.shininess = mix(a.shininess, b.shininess, weight);
     material.emission = mix(a.emission, b.emission, weight);
+#if MICROFACETS
     material.roughness = mix(a.roughness, b.roughness, weight);
     material.microfacet = mix(a.microfacet, b.microfacet, weight);
+#endif
+#if REFLECTION
+    material.reflection = mix(a.reflection, b.reflection, weight);
+    material.transmission = mix(a.transmission, b.transmission, weight);
+    material.refraction_index = mix(a.refraction_index, b.refraction_index, weight);
+    material.absorption = mix(a.absorption, b.absorption, weight);
+#endif
     return material;
 }
 
@@ -96,7 +104,7 @@ bool nearest_shows(float acc, float d)
 }
 
 // Sky of a scene without one.
-vec3 empty_sky(vec3 direction)
+vec3 empty_sky(vec3 direction, float spread)
 {
     return vec3(0.05f);
 }

@@ -6,21 +6,32 @@ struct Box {
 };
 
 // specular: what is mirrored straight on. The highlight is Phong's, of that shininess, or that of microfacets of that
-// roughness, or between them: microfacet is 0, 1, or in a blend between.
+// roughness, or between them: microfacet is 0, 1, or in a blend between. reflection: what is mirrored straight on of the
+// scene itself. transmission: the share of the rest that goes through; on the way it loses absorption (per metre).
 struct Material {
     vec3 albedo;
     vec3 specular;
     float shininess;
     vec3 emission;
+#if MICROFACETS
     float roughness;
     float microfacet;
+#endif
+#if REFLECTION
+    vec3 reflection;
+    float transmission;
+    float refraction_index;
+    vec3 absorption;
+#endif
 };
 
-// direction points from the surface to the light; range is the way to it.
+// direction points from the surface to the light; range is the way to it. sharpness: k of a soft shadow, whose edge is
+// 1/k as wide as it is far from what casts it.
 struct Light {
     vec3 direction;
     float range;
     vec3 radiance;
+    float sharpness;
 };
 
 // direction, forward and right are unit vectors; depth is measured along forward.
@@ -48,7 +59,7 @@ struct Surface {
 
 const float UNBOUNDED = 1.0e6f;
 
-// With Phong's highlight.
+// With Phong's highlight, opaque, and no mirror.
 Material make_material(vec3 albedo, vec3 specular, float shininess, vec3 emission)
 {
     Material material;
@@ -56,9 +67,71 @@ Material make_material(vec3 albedo, vec3 specular, float shininess, vec3 emissio
     material.specular = specular;
     material.shininess = shininess;
     material.emission = emission;
+#if MICROFACETS
     material.roughness = 1.0f;
     material.microfacet = 0.0f;
+#endif
+#if REFLECTION
+    material.reflection = vec3(0.0f);
+    material.transmission = 0.0f;
+    material.refraction_index = 1.0f;
+    material.absorption = vec3(0.0f);
+#endif
     return material;
+}
+
+// Mirrors what is around it, by this much seen straight on.
+Material with_reflection(Material material, vec3 reflection)
+{
+    Material result = material;
+#if REFLECTION
+    result.reflection = reflection;
+#endif
+    return result;
+}
+
+// The highlight becomes that of microfacets; the smoother they are, the more the surface is a mirror.
+Material with_microfacets(Material material, float roughness)
+{
+    Material result = material;
+#if MICROFACETS
+    result.roughness = roughness;
+    result.microfacet = 1.0f;
+#endif
+    return with_reflection(result, (1.0f - roughness) * (1.0f - roughness) * material.specular);
+}
+
+// Lets a share of the light through, refracted by the index; mirrors as Fresnel says of that index.
+Material with_transmission(Material material, float transmission, float refraction_index, vec3 absorption)
+{
+    Material result = material;
+#if REFLECTION
+    result.transmission = transmission;
+    result.refraction_index = refraction_index;
+    result.absorption = absorption;
+#endif
+    float ratio = (refraction_index - 1.0f) / (refraction_index + 1.0f);
+    return with_reflection(result, vec3(ratio * ratio));
+}
+
+// How a lamp fades over a way: 0 with its square, and the intensity is that at one metre; 1 likewise, and the intensity is
+// the power that all of the sphere around gets; 2 not at all.
+float lamp_falloff(int falloff, float way)
+{
+    float square = 1.0f / (way * way);
+    float powered = falloff == 1 ? 0.0795774715f * square : square;
+    return falloff == 2 ? 1.0f : powered;
+}
+
+// Light of a small lamp, which is `way` from the surface.
+Light lamp_light(vec3 way, vec3 colour, float intensity, int falloff, float sharpness)
+{
+    Light light;
+    light.range = max(length(way), 1.0e-3f);
+    light.direction = way / light.range;
+    light.radiance = colour * (intensity * lamp_falloff(falloff, light.range));
+    light.sharpness = sharpness;
+    return light;
 }
 
 Box make_box(vec3 centre, vec3 half_size)

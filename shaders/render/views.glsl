@@ -22,29 +22,9 @@ vec3 srgb_decode(vec3 colour)
     return vec3(srgb_decode_channel(colour.r), srgb_decode_channel(colour.g), srgb_decode_channel(colour.b));
 }
 
-// Viridis, sRGB-encoded, as a polynomial of degree 6 (within 3/255); x from 0 to 1.
-vec3 heatmap(float x)
-{
-    float u = clamp(x, 0.0f, 1.0f);
-    vec3 c = vec3(-2.0005f, 5.0472f, 31.9606f);
-    c = c * u + vec3(-6.7884f, -14.7948f, -81.8892f);
-    c = c * u + vec3(21.0564f, 15.0598f, 74.8316f);
-    c = c * u + vec3(-13.586f, -6.0118f, -28.5667f);
-    c = c * u + vec3(2.1678f, 0.186f, 2.2625f);
-    c = c * u + vec3(-0.1429f, 1.4141f, 1.2013f);
-    return c * u + vec3(0.2769f, 0.0052f, 0.3343f);
-}
-
 vec3 view_beauty(vec3 colour)
 {
     return clamp(colour, vec3(0.0f), vec3(1.0f));
-}
-
-// Steps of the eye ray; magenta where the budget or the limit ran out.
-vec3 view_steps(float steps, float step_limit, float exhausted)
-{
-    vec3 heat = srgb_decode(heatmap(steps / max(step_limit, 1.0f)));
-    return exhausted > 0.5f ? vec3(1.0f, 0.0f, 1.0f) : heat;
 }
 
 // Half the world-space normal plus a half, as stored (encoded) values; black where nothing was hit.
@@ -57,6 +37,24 @@ vec3 view_normal(vec3 normal)
 vec3 view_depth(float depth)
 {
     return depth < 0.0f ? vec3(0.0f) : vec3(5.0f / (5.0f + depth));
+}
+
+// A colour that is no light, as it is.
+vec3 view_plain(vec3 colour)
+{
+    return clamp(colour, vec3(0.0f), vec3(1.0f));
+}
+
+// A share from 0 to 1 as grey, as stored (encoded) values.
+vec3 view_share(float share)
+{
+    return srgb_decode(vec3(share));
+}
+
+// Metres along x, y and z as red, green and blue, as stored (encoded) values: each begins anew in every metre.
+vec3 view_position(vec3 position)
+{
+    return srgb_decode(fract(position));
 }
 
 // One channel of a hue, 0 to 1 around the circle.

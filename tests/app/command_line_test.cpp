@@ -1,4 +1,5 @@
 // The command line's promises: what goes to which stream, the exit codes, refusals in one sentence.
+#include "renderer/picture.h"
 #include "tests/app/program.h"
 
 #include <cmath>
@@ -92,7 +93,16 @@ TEST_F(CommandLine, usage_errors_exit_with_2)
 {
     std::string scene = new_scene("sphere"), out = " -o " + path("a.png");
     expect_refusal("render " + scene, 2, "--output");
-    expect_refusal("render " + scene + " -o " + path("a.exr"), 2, ".png");
+    expect_refusal("render " + scene + " -o " + path("a.gif"), 2, ".png");
+    expect_refusal("render " + scene + " --view depth -o " + path("a.exr"), 2, "layer");
+    expect_refusal("render " + scene + " --exposure 1 -o " + path("a.hdr"), 2, "light");
+    expect_refusal("render " + scene + out + " --frames 1-2", 2, "####");
+    expect_refusal("render " + scene + out + " --frames 2-1", 2, "frames");
+    expect_refusal("render " + scene + out + " --tile 5/4", 2, "tile");
+    expect_refusal("render " + scene + out + " --samples 0", 2, "samples");
+    expect_refusal("render " + scene + out + " --samples 4 --grid 2", 2, "grid");
+    expect_refusal("render " + scene + out + " --backdrop bright", 2, "bright");
+    expect_refusal("render " + scene + " --backdrop transparent -o " + path("a.jpg"), 2, ".png");
     for (const char* size : {"0x1", "20000x10", "9000x9000", "big", "10x", "10x10x10", "-4x4"})
         expect_refusal("render " + scene + out + " --size " + size, 2, "");
     expect_refusal("render " + scene + out + " --device tpu", 2, "tpu");
@@ -213,6 +223,48 @@ TEST_F(CommandLine, info_and_version_are_json_on_request)
         EXPECT_EQ(outcome.code, 0);
         EXPECT_NE(outcome.output.find("--shaders"), std::string::npos) << help;
     }
+}
+
+TEST_F(CommandLine, slice_draws_the_field_on_a_plane)
+{
+    std::string scene = new_scene("sphere"), picture = path("slice.png");
+    Outcome outcome =
+        run_program("slice " + scene + " -o " + picture + " --style grey --size 80x40 --plane zx --offset 0.5");
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.output, "");
+    renderer::Picture drawn = renderer::read_png(picture);
+    ASSERT_EQ(drawn.width, 80);
+    ASSERT_EQ(drawn.height, 40);
+    // Beside the middle: a unit sphere at 0.5 above its middle, 0.05 m to either side.
+    double distance = 1 - std::sqrt(0.25 + 2 * 0.05 * 0.05);
+    EXPECT_NEAR(drawn.rgb[3 * (20 * 80 + 40)], 255 * std::pow(distance, 1 / 2.2), 1.5);
+    expect_refusal("slice " + scene + " -o " + path("slice.exr"), 2, ".png or .jpg");
+    expect_refusal("slice " + scene + " -o " + picture + " --plane xz", 2, "--plane");
+}
+
+TEST_F(CommandLine, side_by_side_is_twice_as_wide_and_swaps_its_halves)
+{
+    std::string scene = new_scene("torus"), picture = path("eyes.png");
+    std::string eyes = " --samples 1 --size 64x36 --interaxial 0.2 --stereo ";
+    ASSERT_EQ(run_program("render " + scene + " -o " + picture + eyes + "side-by-side").code, 0);
+    renderer::Picture both = renderer::read_png(picture);
+    EXPECT_EQ(both.width, 128);
+    EXPECT_EQ(both.height, 36);
+    ASSERT_EQ(run_program("render " + scene + " -o " + picture + eyes + "side-by-side --swap-eyes").code, 0);
+    renderer::Picture crossed = renderer::read_png(picture);
+    bool differ = false;
+    for (std::size_t y = 0; y < 36; ++y)
+        for (std::size_t x = 0; x < 3 * 64; ++x) {
+            ASSERT_EQ(both.rgb[3 * 128 * y + x], crossed.rgb[3 * 128 * y + 3 * 64 + x]);
+            differ = differ || both.rgb[3 * 128 * y + x] != both.rgb[3 * 128 * y + 3 * 64 + x];
+        }
+    EXPECT_TRUE(differ) << "both eyes see the same";
+    for (const char* option :
+         {"--stereo-space gamma --stereo gray", "--toe-in --stereo naive", "--rivalry --stereo naive",
+          "--view glow --full-scale 40", "--view steps --colour-map turbo"})
+        EXPECT_EQ(run_program("render " + scene + " -o " + picture + " --samples 1 --size 64x36 " + option).code, 0)
+            << option;
+    expect_refusal("render " + scene + " -o " + picture + " --stereo 3d", 2, "--stereo");
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ template <typename Draw>
 Eyes eyes(Draw draw)
 {
     FrameRequest request{.width = 240, .height = 135, .time = 0.6f};
+    request.layers = true;
     Eyes frames;
     frames.centre = draw(request);
     request.eye = Eye::left;
@@ -43,8 +44,15 @@ Eyes eyes(Draw draw)
 
 Picture shown(const Eyes& eyes, View view, Stereo stereo, int step_limit)
 {
-    return stereo == Stereo::off ? picture(eyes.centre, view, step_limit)
-                                 : anaglyph(eyes.left, eyes.right, view, step_limit, stereo);
+    const Frame& left = stereo == Stereo::off ? eyes.centre : eyes.left;
+    return picture(left, eyes.right, {.view = view, .stereo = stereo}, step_limit);
+}
+
+// Of pixels. A layer such as the shadow jumps from black to white where light fades in the picture.
+double allowed_apart(const std::string& view)
+{
+    constexpr std::string_view strict[] = {"beauty", "steps", "normal", "depth", "id"};
+    return std::find(std::begin(strict), std::end(strict), view) != std::end(strict) ? 0.001 : 0.005;
 }
 
 TEST(Devices, agree_on_every_example_view_and_stereo_mode)
@@ -60,7 +68,7 @@ TEST(Devices, agree_on_every_example_view_and_stereo_mode)
                 auto show = [&](const Eyes& frames) {
                     return shown(frames, *view_from_name(view), *stereo_from_name(stereo), program.march.step_limit);
                 };
-                EXPECT_LE(share_apart(show(on_gpu), show(on_cpu)), 0.001)
+                EXPECT_LE(share_apart(show(on_gpu), show(on_cpu)), allowed_apart(view))
                     << scene.filename() << " " << view << " " << stereo;
             }
     }

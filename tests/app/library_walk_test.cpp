@@ -85,6 +85,33 @@ TEST(LibraryScenes, every_type_makes_a_valid_small_scene_that_draws)
     }
 }
 
+// A node dropped on the default box (or what it takes instead) shows at once what it is for, in a picture without holes.
+TEST(LibraryScenes, every_operator_and_material_changes_the_picture_clearly)
+{
+    auto library = graph::Library::embedded();
+    const std::set<std::string> walked = {"combine", "convert", "domain", "modify", "material"};
+    for (const graph::NodeType* type : library->types()) {
+        if (!walked.contains(type->category)) continue;
+        SCOPED_TRACE(type->name);
+        app::StarterScene starter(library, *type);
+        starter.compose();
+        auto drawn = [&] {
+            return renderer::render_on_cpu(graph::lower(starter.document, library), {.width = 64, .height = 36});
+        };
+        renderer::Frame with = drawn();
+        ASSERT_EQ(graph::set_muted(starter.document, starter.shown(), true), std::nullopt);
+        renderer::Frame without = drawn();
+        std::size_t pixels = with.colour.size(), changed = 0, holes = 0;
+        for (std::size_t i = 0; i < pixels; ++i) {
+            EXPECT_TRUE(std::isfinite(with.colour[i].x + with.colour[i].y + with.colour[i].z));
+            changed += glm::distance(with.colour[i], without.colour[i]) > 0.03f ? 1 : 0;
+            holes += with.exhausted[i] ? 1 : 0;
+        }
+        EXPECT_GE(100 * changed, pixels) << "changed " << changed << " of " << pixels << " pixels";
+        EXPECT_LE(50 * holes, pixels) << holes << " of " << pixels << " rays ran out of steps";
+    }
+}
+
 // In this process, with the functions of `new`: some 300 scenes.
 TEST_F(LibraryWalk, every_number_can_be_set_to_both_ends_of_its_range)
 {

@@ -106,7 +106,7 @@ TEST_F(Pictures, come_from_one_reading_whatever_is_asked_of_them)
     auto forty = maker.make(file, {.path = "disc.png", .level = 40, .detail = 64}, stamp);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(100));
     EXPECT_EQ(fifty->sentence + forty->sentence, "");
-    EXPECT_NE(fifty->distances, forty->distances);
+    EXPECT_NE(fifty->list, forty->list);
 }
 
 // The window's shelf, and waiting for it.

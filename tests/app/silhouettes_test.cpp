@@ -1,6 +1,8 @@
 // Solids of three drawings held to what each drawing shows.
 #include "app/silhouettes.h"
 #include "graph/drawing.h"
+#include "graph/group_edits.h"
+#include "graph/group_types.h"
 #include "tests/support/scene.h"
 
 #include <gtest/gtest.h>
@@ -72,6 +74,41 @@ TEST(Silhouettes, look_along_each_view_the_right_way_around)
     EXPECT_EQ(found.missed.at(right).size(), 12u * 16u);
     for (glm::ivec2 cell : found.missed.at(right)) EXPECT_GE(cell.x, 4);
     EXPECT_EQ(found.missed.count(above), 0u);
+}
+
+// The mark is on the drawing where it is painted, the note on the group's node with the way to the solid.
+TEST(Silhouettes, are_compared_inside_of_groups)
+{
+    Views views;
+    NodeId front = views.draw("a", block(2, 2, 14, 14)), right = views.draw("b", block(4, 5, 12, 14));
+    views.scene.show(views.solid);
+    graph::Placed group =
+        graph::group_nodes(views.scene.document, *views.scene.library, {views.solid, front, right}, "Piece");
+    ASSERT_EQ(group.refusal, std::nullopt);
+    views.scene.library = graph::with_groups(*views.scene.library, views.scene.document);
+    Silhouettes found = views.compared();
+    ASSERT_EQ(found.notes.size(), 1u);
+    EXPECT_EQ(found.notes[0].node, group.node);
+    EXPECT_EQ(found.notes[0].inside, std::vector<NodeId>{views.solid});
+    ASSERT_EQ(found.missed.count(front), 1u);
+    EXPECT_EQ(found.missed.at(front).size(), 36u);
+}
+
+// A drawing that is set from outside is the one that is compared.
+TEST(Silhouettes, of_a_group_are_those_of_the_drawing_that_its_node_has)
+{
+    Views views;
+    NodeId front = views.draw("a", block(2, 2, 14, 14)), right = views.draw("b", block(4, 5, 12, 14));
+    views.scene.show(views.solid);
+    NodeId piece =
+        graph::group_nodes(views.scene.document, *views.scene.library, {views.solid, front, right}, "Piece").node;
+    auto learn = [&] { views.scene.library = graph::settle_groups(views.scene.document, *views.scene.library); };
+    learn();
+    ASSERT_EQ(graph::expose(views.scene.document, *views.scene.library, "Piece", right, "rectangles"), std::nullopt);
+    learn();
+    ASSERT_EQ(views.compared().notes.size(), 1u);
+    views.scene.set(piece, "rectangles", block(4, 2, 12, 14).rectangles());
+    EXPECT_TRUE(views.compared().notes.empty());
 }
 
 TEST(Silhouettes, of_views_switched_off_are_not_compared)

@@ -31,7 +31,7 @@ Pixels disc(int side, glm::vec2 centre, float radius)
 }
 
 struct Samples {
-    explicit Samples(const graph::BakedImage& image) : list(image.distances) {}
+    explicit Samples(const graph::BakedImage& image) : list(image.list) {}
     int columns() const { return static_cast<int>(list[0].x); }
     int rows() const { return static_cast<int>(list[0].y); }
     float at(int x, int y) const
@@ -51,7 +51,7 @@ TEST(ImageBake, agrees_with_the_circle_that_was_drawn)
         graph::BakedImage image = baked(disc(side, centre, radius), {.detail = (side + 1) * per_pixel}, "it");
         Samples samples(image);
         ASSERT_EQ(samples.columns(), (side + 1) * per_pixel + 1);
-        float worst = 0, scale = image.distances[0].w * side;
+        float worst = 0, scale = image.list[0].w * side;
         for (int y = 0; y < samples.rows(); ++y)
             for (int x = 0; x < samples.columns(); ++x) {
                 // The first sample is the middle of a pixel outside the lower left corner.
@@ -61,9 +61,9 @@ TEST(ImageBake, agrees_with_the_circle_that_was_drawn)
             }
         EXPECT_LT(worst, 0.12f) << per_pixel;  // of a pixel
         EXPECT_NEAR(scale, 1 / static_cast<float>(per_pixel), 1e-6f);
-        EXPECT_NEAR(image.distances[1].x * scale, centre.x + 0.5f, 0.1f);
-        EXPECT_NEAR(image.distances[1].y * scale, side - centre.y + 0.5f, 0.1f);
-        EXPECT_NEAR(image.distances[1].z * scale, radius, 1.2f);
+        EXPECT_NEAR(image.list[1].x * scale, centre.x + 0.5f, 0.1f);
+        EXPECT_NEAR(image.list[1].y * scale, side - centre.y + 0.5f, 0.1f);
+        EXPECT_NEAR(image.list[1].z * scale, radius, 1.2f);
     }
 }
 
@@ -71,7 +71,7 @@ TEST(ImageBake, finds_a_smooth_edge_where_pixels_are_to_spare)
 {
     graph::BakedImage image = baked(disc(200, {100.3f, 99.6f}, 63.2f), {.detail = 100}, "it");
     Samples samples(image);
-    float worst = 0, scale = image.distances[0].w * 200;
+    float worst = 0, scale = image.list[0].w * 200;
     for (int y = 0; y < samples.rows(); ++y)
         for (int x = 0; x < samples.columns(); ++x) {
             glm::vec2 from_middle(static_cast<float>(x) - 0.5f * static_cast<float>(samples.columns() - 1),
@@ -81,14 +81,14 @@ TEST(ImageBake, finds_a_smooth_edge_where_pixels_are_to_spare)
             if (std::abs(circle) < 2.5f) worst = std::max(worst, std::abs(scale * samples.at(x, y) - circle));
         }
     EXPECT_LT(worst, 0.06f);  // of a pixel
-    EXPECT_LT(image.distances[0].z, 1.25f);
+    EXPECT_LT(image.list[0].z, 1.25f);
 }
 
 TEST(ImageBake, keeps_the_middle_of_the_picture_whatever_the_detail)
 {
     for (int detail : {16, 23, 50, 211}) {
         graph::BakedImage image = baked(disc(90, {45, 45}, 30), {.detail = detail}, "it");
-        glm::vec4 head = image.distances[0], box = image.distances[1];
+        glm::vec4 head = image.list[0], box = image.list[1];
         EXPECT_LE(std::max(head.x, head.y), static_cast<float>(detail) + 1) << detail;
         EXPECT_NEAR(box.x, 0.5f * (head.x - 1), 0.02f) << detail;
         EXPECT_NEAR((box.z - 1) * head.w * 90, 30, 0.15f) << detail;
@@ -102,7 +102,7 @@ TEST(ImageBake, states_how_steep_its_interpolation_is)
     Pixels noise = painted(40, 30, [&](glm::vec2) { return glm::vec2(grey(random), 1); });
     graph::BakedImage image = baked(noise, {.detail = 40}, "it");
     Samples samples(image);
-    float stated = image.distances[0].z, steepest = 0;
+    float stated = image.list[0].z, steepest = 0;
     for (int y = 0; y + 1 < samples.rows(); ++y)
         for (int x = 0; x + 1 < samples.columns(); ++x)
             for (float u : {0.0f, 0.3f, 1.0f})
@@ -139,7 +139,7 @@ TEST(ImageBake, moves_the_edge_with_the_level)
     Pixels slope = painted(101, 9, [](glm::vec2 p) { return glm::vec2((p.x - 0.5f) / 100, 1); });
     for (int level : {10, 50, 90}) {
         graph::BakedImage image = baked(slope, {.level = level, .detail = 101}, "it");
-        glm::vec4 head = image.distances[0], box = image.distances[1];
+        glm::vec4 head = image.list[0], box = image.list[1];
         float right = box.x + box.z - 1;  // the box leaves a sample around
         float right_px = 50.5f + (right - 0.5f * (head.x - 1)) * head.w * 9;
         EXPECT_NEAR(right_px, static_cast<float>(level) + 0.5f, 0.01f);
@@ -160,7 +160,7 @@ TEST(ImageBake, says_that_there_is_nothing)
 {
     Pixels white = painted(8, 8, [](glm::vec2) { return glm::vec2(1, 1); });
     graph::BakedImage image = baked(white, {}, "the picture x");
-    EXPECT_TRUE(image.distances.empty());
+    EXPECT_TRUE(image.list.empty());
     EXPECT_EQ(image.sentence, "the picture x has nothing dark at this level; change the part or the level");
 }
 
@@ -168,7 +168,7 @@ TEST(ImageBake, stays_within_its_limits)
 {
     for (int side : {1, 7, graph::image_detail_limit}) {
         Pixels black = painted(side, side, [](glm::vec2) { return glm::vec2(0, 1); });
-        EXPECT_LE(baked(black, {.detail = graph::image_detail_limit}, "it").distances.size(), 65536u) << side;
+        EXPECT_LE(baked(black, {.detail = graph::image_detail_limit}, "it").list.size(), 65536u) << side;
     }
 }
 

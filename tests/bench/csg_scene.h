@@ -180,7 +180,7 @@ inline graph::Document csg_document(const CsgScene& scene, const std::shared_ptr
         graph::NodeId b = operands[static_cast<std::size_t>(combination.b)];
         operands.push_back(add_combination(writer, combination, a, b));
     }
-    writer.add("sun", {{"shadow", true}});
+    writer.add("sun", {{"shadow", std::string("hard")}});
     graph::NodeId camera = writer.add("perspective", {{"position", scene.eye}, {"target", glm::vec3(0.0f)}});
     graph::NodeId sky = writer.add("gradient", {});
     writer.add("output", {}, {{"camera", camera}, {"d", operands.back()}, {"sky", sky}});

@@ -1,14 +1,12 @@
 // What a window waits for: the first picture after an edit while a shader compiles, pictures while a value is dragged,
 // and nothing once the picture is there.
-#include "renderer/render_thread.h"
 #include "renderer/devices.h"
 #include "tests/bench/csg_scene.h"
+#include "tests/bench/picture_window.h"
 #include "tests/bench/processor.h"
 #include "tests/bench/timing.h"
 
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <thread>
 
 namespace fieldwright::bench {
@@ -21,61 +19,6 @@ constexpr int primitives = 300, width = 1280, height = 720;
 constexpr double drag_seconds = 3, idle_seconds = 2;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-// The window's side of a render thread, woken when there is something to poll.
-class Window {
-public:
-    explicit Window(Device device) : thread_({.device = device, .on_ready = [this] { wake(); }}) {}
-
-    void ask(std::shared_ptr<const graph::Program> program, bool interacting)
-    {
-        PictureRequest request{.program = std::move(program), .interacting = interacting, .generation = ++generation_};
-        request.frame.width = width;
-        request.frame.height = height;
-        thread_.request(std::move(request));
-    }
-
-    // The newest picture that comes within the time.
-    std::optional<DrawnPicture> picture(double seconds)
-    {
-        auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-        for (;;) {
-            while (std::optional<RenderResult> result = thread_.poll()) {
-                if (auto* drawn = std::get_if<DrawnPicture>(&*result)) return std::move(*drawn);
-                demand(false, "the render thread reports no failure");
-            }
-            std::unique_lock lock(mutex_);
-            if (!changed_.wait_until(lock, until, [&] { return ready_; })) return std::nullopt;
-            ready_ = false;
-        }
-    }
-
-    DrawnPicture picture_of(std::uint64_t generation, bool final)
-    {
-        for (;;) {
-            std::optional<DrawnPicture> drawn = picture(120);
-            demand(drawn.has_value(), "a picture comes within two minutes");
-            if (drawn->generation == generation && (drawn->final || !final)) return std::move(*drawn);
-        }
-    }
-
-    std::uint64_t generation() const { return generation_; }
-    RenderStatus status() const { return thread_.status(); }
-
-private:
-    void wake()
-    {
-        std::lock_guard lock(mutex_);
-        ready_ = true;
-        changed_.notify_one();
-    }
-
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    bool ready_ = false;
-    std::uint64_t generation_ = 0;
-    RenderThread thread_;
-};
 
 class Scenes {
 public:
@@ -106,7 +49,7 @@ private:
     CsgScene scene_;
 };
 
-void measure_edits(Window& window, const Scenes& scenes)
+void measure_edits(PictureWindow& window, const Scenes& scenes)
 {
     std::vector<double> seconds;
     int coarsest = 1, finest = 16;
@@ -132,7 +75,7 @@ void measure_edits(Window& window, const Scenes& scenes)
 }
 
 // A hand moves at 60 Hz.
-void measure_drag(Window& window, Scenes& scenes)
+void measure_drag(PictureWindow& window, Scenes& scenes)
 {
     int links = window.status().links, pictures = 0;
     std::vector<int> divisors;
@@ -162,7 +105,7 @@ void measure_drag(Window& window, Scenes& scenes)
     std::printf("programs linked in it: %d (0): %s\n", links, verdict(links == 0));
 }
 
-void measure_rest(Window& window, Scenes& scenes)
+void measure_rest(PictureWindow& window, Scenes& scenes)
 {
     auto start = Clock::now();
     window.ask(scenes.dragged(0.25f), false);
@@ -178,7 +121,7 @@ void measure_rest(Window& window, Scenes& scenes)
 int run()
 {
     Scenes scenes;
-    Window window(Device::automatic);
+    PictureWindow window(Device::automatic, width, height);
     window.ask(scenes.edited(1), false);
     window.picture_of(window.generation(), true);
     RenderStatus status = window.status();

@@ -140,6 +140,9 @@ public:
         shader.set("march.near_limit", program.march.near);
         shader.set("march.far_limit", program.march.far);
         shader.set("march.out_of_steps_hits", program.march.out_of_steps_hits ? 1 : 0);
+        shader.set("march.step_scale", graph::step_scale(program.march));
+        shader.set("march.normal_step", program.march.normal_step);
+        shader.set("march.occlusion_samples", program.occlusion.samples);
         shader.set("march.occlusion_strength", program.occlusion.strength);
         shader.set("march.occlusion_radius", program.occlusion.radius);
         shader.set("step_budget", program.step_budget);

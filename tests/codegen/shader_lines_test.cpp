@@ -55,6 +55,23 @@ TEST(ShaderLines, lead_to_the_shading_library)
               std::string(path) + ":" + std::to_string(line_in_file(shader, path, words)));
 }
 
+TEST(ShaderLines, lead_to_it_where_parts_of_it_are_left_out)
+{
+    Scene scene;
+    scene.show(scene.node("sphere"));
+    graph::Program program = scene.program();
+    auto text_of = [&](bool layers) {
+        return codegen::print_fragment_shader(program, field::evaluate_frame(program, 0), codegen::Placement::literals,
+                                              layers);
+    };
+    constexpr std::string_view words = "struct Light", path = "render/types.glsl";
+    for (bool layers : {false, true}) {
+        Shader shader{program, text_of(layers)};
+        EXPECT_EQ(codegen::place_of_line(*program.library, shader.text, shader.line_of(words)),
+                  std::string(path) + ":" + std::to_string(line_in_file(shader, path, words)));
+    }
+}
+
 TEST(ShaderLines, that_were_printed_for_the_scene_lead_nowhere)
 {
     Shader shader = sphere_shader();

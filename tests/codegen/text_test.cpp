@@ -188,6 +188,20 @@ int call_depth(const graph::Program& program, std::string_view function)
     return deepest;
 }
 
+TEST(Text, folds_the_inputs_of_a_combiner_of_many_as_a_balanced_tree)
+{
+    for (const char* type : {"union_many", "smooth_union_many"}) {
+        Scene scene;
+        NodeId all = scene.node(type);
+        const graph::NodeType& declared = scene.type(all);
+        for (int i = 0; i < declared.most_inputs; ++i)
+            scene.wire(scene.node("sphere"), all, declared.inputs[static_cast<std::size_t>(i)].name);
+        scene.show(all);
+        EXPECT_EQ(scene.program().expanded_cost, 16);
+        EXPECT_EQ(call_depth(scene.program(), std::string(type) + "_distance"), 4);
+    }
+}
+
 TEST(Text, makes_a_chain_of_a_thousand_unions_shallow)
 {
     for (bool to_the_left : {true, false}) {

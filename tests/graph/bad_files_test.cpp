@@ -82,7 +82,8 @@ TEST_F(BadFiles, empty) { EXPECT_SAYS(refusal_of_text(""), "1:1: $: the text end
 TEST_F(BadFiles, not_json_at_all)
 {
     EXPECT_SAYS(refusal_of_text("hello"), "1:1: $: unexpected `hello`");
-    EXPECT_SAYS(refusal_of_text(std::string_view("\x89PNG\r\n\x1a\n\0\0", 10)), "1:1: $: unexpected");
+    EXPECT_SAYS(refusal_of_text(std::string_view("\x89PNG\r\n\x1a\n\0\0", 10)),
+                "is a picture that keeps no scene; `render --keep-scene` makes ones that do");
 }
 
 TEST_F(BadFiles, cyclic)

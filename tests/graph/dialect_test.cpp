@@ -97,6 +97,41 @@ TEST(Dialect, a_combiner_of_three_says_how_much_of_the_third_shows)
     EXPECT_EQ(refusal(text + "float bad_blend_c(float c)\n{\n    return c;\n}\n"), "accepted");
 }
 
+std::string join(const std::string& inputs, const std::string& more = {})
+{
+    return "// Join: all of them.\n// field: bound\n// inputs: " + inputs +
+           "\nfloat join_distance(float a, float b) { return min(a, b); }\n"
+           "float join_blend(float a, float b) { return 0.0f; }\n" +
+           more + "Box join_bounds(Box box_a, Box box_b) { return box_a; }\n";
+}
+
+TEST(Dialect, a_combiner_of_many_has_so_many_inputs)
+{
+    NodeType type = declare(join("up to 5"), "nodes/combine/join.glsl");
+    EXPECT_EQ(type.most_inputs, 5);
+    std::vector<std::string> names;
+    for (const Socket& socket : type.inputs) names.push_back(socket.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"a", "b", "shape_3", "shape_4", "shape_5"}));
+    for (const Socket& socket : type.inputs) EXPECT_EQ(socket.kind, SocketKind::field_any);
+    for (const char* count : {"up to 2", "up to 65", "up to many"})
+        EXPECT_NE(refusal(join(count), "nodes/combine/join.glsl").find("a whole number from 3 to 64"),
+                  std::string::npos)
+            << count;
+    std::string moving = "vec3 join_point(vec3 p) { return p; }\n";
+    EXPECT_NE(refusal(join("up to 5", moving), "nodes/combine/join.glsl").find("moves no point"), std::string::npos);
+}
+
+TEST(Dialect, the_comment_of_the_first_function_is_no_help)
+{
+    NodeType type = declare(
+        "// Dot: A point.\n// It is small.\n// field: exact\n// How small.\n"
+        "float dot_size() { return 0.0f; }\n"
+        "float dot_distance(vec3 p) { return length(p) - dot_size(); }\n"
+        "Box dot_bounds() { return everywhere(); }\n",
+        "nodes/primitive/dot.glsl");
+    EXPECT_EQ(type.help, "A point. It is small.");
+}
+
 TEST(Dialect, loops_that_leave_off_at_the_end_of_a_list_are_counted_apart)
 {
     SourceFile file = parse_source("nodes/shape2d/x.glsl",

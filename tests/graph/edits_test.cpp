@@ -172,6 +172,10 @@ TEST_F(Edits, names_positions_and_settings_are_checked)
     EXPECT_EQ(refused([&] { return set_march(document, march); }), "“Near” must be smaller than far");
     EXPECT_EQ(refused([&] { return set_occlusion(document, {NAN, 1}); }), "“Strength” must lie between 0 and 1");
     EXPECT_EQ(set_occlusion(document, {0.5f, 1}), std::nullopt);
+    EXPECT_EQ(refused([&] { return set_fog(document, {.density = -1}); }), "“Density” must lie between 0 and 1000");
+    EXPECT_EQ(refused([&] { return set_bounces(document, 9); }), "“Bounces” must lie between 0 and 8");
+    EXPECT_EQ(set_fog(document, {.density = 0.1f}), std::nullopt);
+    EXPECT_EQ(set_bounces(document, 8), std::nullopt);
 }
 
 TEST_F(Edits, validate_finds_every_broken_promise)

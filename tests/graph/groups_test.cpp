@@ -4,6 +4,7 @@
 #include "graph/group_edits.h"
 #include "graph/group_types.h"
 #include "graph/history.h"
+#include "graph/image_request.h"
 #include "graph/scene_file.h"
 
 #include "tests/support/random.h"
@@ -251,6 +252,57 @@ TEST_F(Cart, a_wire_from_outside_takes_the_place_of_one_inside)
         if (copy.type == "torus") {
             EXPECT_EQ(copy.input("minor"), number);
         }
+}
+
+// A control that moves nothing is none; the socket stays, as a wire from outside counts.
+TEST_F(Cart, what_is_wired_inside_has_no_value_outside)
+{
+    NodeId first = grouped();
+    ASSERT_FALSE(expose(document, *library, "Wheel", tyre, "minor"));
+    settle();
+    const NodeType& before = *library->type("group:Wheel");
+    ASSERT_TRUE(before.parameter("minor") && before.input("minor"));
+    {
+        Entered entered(document, "Wheel");
+        NodeId number = add_node(document, *library, "number");
+        ASSERT_FALSE(connect(document, *library, number, tyre, "minor"));
+    }
+    settle();
+    const NodeType& wired = *library->type("group:Wheel");
+    EXPECT_EQ(wired.parameter("minor"), nullptr);
+    EXPECT_NE(wired.input("minor"), nullptr);
+    EXPECT_EQ(node(first).parameter("minor"), nullptr);
+    expect_valid();
+    {
+        Entered entered(document, "Wheel");
+        ASSERT_FALSE(disconnect(document, tyre, "minor"));
+    }
+    settle();
+    ASSERT_NE(node(first).parameter("minor"), nullptr);
+    EXPECT_EQ(*node(first).parameter("minor"), Value(0.2f)) << "that of the inner node";
+}
+
+TEST(GroupPictures, are_asked_for_as_each_node_of_the_group_has_them)
+{
+    Scene scene;
+    NodeId image = scene.node("image", {{"picture", std::string("inside.png")}});
+    NodeId one = group_nodes(scene.document, *scene.library, {image}, "Stamp").node;
+    scene.library = settle_groups(scene.document, *scene.library);
+    for (const char* name : {"picture", "detail"})
+        ASSERT_FALSE(expose(scene.document, *scene.library, "Stamp", image, name));
+    scene.library = settle_groups(scene.document, *scene.library);
+    NodeId other = scene.node("group:Stamp");
+    scene.set(one, "picture", std::string("one.png"));
+    scene.set(other, "picture", std::string("other.png"));
+    scene.set(other, "detail", 64);
+    std::map<std::string, int> details;
+    for (const ImageRequest& request : image_requests(scene.document, *scene.library))
+        details[request.path] = request.detail;
+    EXPECT_EQ(details, (std::map<std::string, int>{{"inside.png", 256}, {"one.png", 256}, {"other.png", 64}}));
+    for (const Node& copy : expanded(scene.document, *scene.library).document.root.nodes) {
+        const Value& path = *copy.parameter("picture");
+        EXPECT_TRUE(path == Value(std::string("one.png")) || path == Value(std::string("other.png")));
+    }
 }
 
 TEST_F(Cart, groups_nest_and_values_pass_through_both)

@@ -6,6 +6,7 @@
 #include "graph/program.h"
 #include "graph/scene_file.h"
 #include "tests/graph/small_library.h"
+#include "tests/support/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -225,6 +226,38 @@ TEST_F(OwnTypes, names_the_function_or_argument_that_does_not_fit)
                 "`uv` is a reserved");
     EXPECT_SAYS(refusal(head + "float ball_distance(float p) { return p; }\n" + bounds), "`vec3` or `vec2`");
     EXPECT_SAYS(refusal(head + "float disc_distance(vec3 p) { return 1.0f; }\n" + bounds), "must begin with `ball_`");
+}
+
+// The CPU, which divides steepness out, does not run the code: its author says how steep it is.
+TEST(OwnSteepness, is_what_the_text_says_or_taken_as_four)
+{
+    auto lipschitz = [](const std::string& line, const std::string& function) {
+        std::string text = "// Lump: steep.\n// field: bound\n" + line +
+                           "float lump_distance(vec3 p) { return 3.0f * length(p) - 1.0f; }\n" + function +
+                           "Box lump_bounds() { return make_box(vec3(0.0f), vec3(1.0f)); }\n";
+        tests::Scene scene;
+        EXPECT_EQ(add_own_type(scene.document, *scene.library, {"lump", text}), std::nullopt);
+        scene.library = with_own_types(*scene.library, scene.document.own_types);
+        scene.show(scene.node("lump"));
+        Program program = scene.program();
+        if (program.lipschitz == no_value) return 1.0f;
+        return program
+            .block[static_cast<std::size_t>(program.values[static_cast<std::size_t>(program.lipschitz)].slot)];
+    };
+    const std::string function = "float lump_lipschitz() { return 3.0f; }\n";
+    EXPECT_EQ(lipschitz("", ""), 1);
+    EXPECT_EQ(lipschitz("", function), 4);
+    EXPECT_EQ(lipschitz("// lipschitz: 3\n", ""), 3);
+    EXPECT_EQ(lipschitz("// lipschitz: 2.5\n", function), 2.5f);
+}
+
+TEST_F(OwnTypes, says_how_steep_it_is_in_numbers)
+{
+    for (const char* number : {"0.5", "steep", "2000"}) {
+        std::string text = ball_text("ball");
+        text.insert(text.find("// field"), std::string("// lipschitz: ") + number + "\n");
+        EXPECT_SAYS(refusal(text), "line 2: `lipschitz` is a number from 1 to 1000");
+    }
 }
 
 TEST_F(OwnTypes, names_never_collide)

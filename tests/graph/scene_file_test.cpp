@@ -48,6 +48,8 @@ Document rich_document()
               std::nullopt);
     EXPECT_EQ(set_parameter(document, library(), words, "result", std::string("x + (")), std::nullopt);
     document.march.out_of_steps_hits = true;
+    document.fog = {.colour = {0.1f, 0.2f, 0.3f}, .density = 0.05f, .start = 2, .height_falloff = 0.5f};
+    document.bounces = 4;
     document.extras = {{"$schema", "\"x.json\""}, {"notes", "{\"a\":  [1,2]}"}};
     return document;
 }
@@ -111,6 +113,8 @@ TEST(scene_file, what_is_missing_takes_its_default)
     Document document =
         read_scene(with_nodes("\"7\": {\"type\": \"sphere\"}, \"2\": {\"type\": \"sphere\"}"), library());
     EXPECT_EQ(document.march, MarchSettings{});
+    EXPECT_EQ(document.fog, FogSettings{});
+    EXPECT_EQ(document.bounces, 0);
     EXPECT_EQ(document.next_id, 8);
     EXPECT_EQ(document.root.nodes.front().id, NodeId{2});
     EXPECT_EQ(std::get<float>(*document.root.nodes[0].parameter("radius")), 1.0f);
@@ -206,6 +210,21 @@ TEST(scene_file, refusals_name_the_place_and_what_to_do)
         "{\"format\": \"fieldwright\", \"version\": 1, \"march\": {\"near\": 200}, \"graphs\": {\"root\": {\"nodes\": "
         "{}}}}";
     EXPECT_NE(message(flat).find("$.march.near: must be smaller than far"), std::string::npos);
+    auto with = [](const std::string& setting) {
+        return message("{\"format\": \"fieldwright\", \"version\": 1, " + setting +
+                       ", \"graphs\": {\"root\": {\"nodes\": {}}}}");
+    };
+    EXPECT_NE(with("\"bounces\": 9").find("$.bounces: must lie between 0 and 8"), std::string::npos);
+    EXPECT_NE(with("\"fog\": {\"density\": -1}").find("$.fog.density: must lie between 0 and 1000"), std::string::npos);
+    EXPECT_NE(with("\"fog\": {\"colour\": [1, 1, -1]}").find("$.fog.colour: must lie between"), std::string::npos);
+    EXPECT_NE(with("\"fog\": {\"mist\": 1}").find("is not known here"), std::string::npos);
+}
+
+TEST(scene_file, without_fog_and_bounces_the_text_names_neither)
+{
+    std::string text = write_scene({}, library());
+    EXPECT_EQ(text.find("fog"), std::string::npos);
+    EXPECT_EQ(text.find("bounces"), std::string::npos);
 }
 
 TEST(scene_file, cycles_and_mixed_dimensions_are_refused_with_their_nodes)

@@ -145,5 +145,32 @@ TEST(Slope, covers_every_value_a_number_may_have)
     EXPECT_NEAR(bound("sin(k * x)", 1, {-3, 2}).slope, 3, 1e-6);
 }
 
+TEST(SlopeMemo, gives_what_a_search_gives_for_each_formula_and_box)
+{
+    SlopeMemo memo;
+    auto box = [](double reach) {
+        Interval side{-reach, reach};
+        return std::vector<Interval>{side, side, side, {-10, 10}, {0.5, 0.5}};
+    };
+    for (int round = 0; round < 2; ++round)
+        for (const char* text : {"x^2 + y^2", "sin(3 * x) * k", "sqrt(x)"})
+            for (double reach : {0.5, 2.0}) {
+                SlopeBound expected = slope_bound(parsed(text), box(reach)),
+                           kept = memo.bound(parsed(text), box(reach));
+                EXPECT_EQ(kept.slope, expected.slope) << text << " " << reach;
+                EXPECT_EQ(kept.bounded, expected.bounded) << text << " " << reach;
+            }
+}
+
+TEST(SlopeMemo, forgets_the_oldest_of_many)
+{
+    SlopeMemo memo;
+    Interval side{-1, 1};
+    for (int k = 0; k < 200; ++k) {
+        std::vector<Interval> variables = {side, side, side, {-10, 10}, {k + 1.0, k + 1.0}};
+        EXPECT_NEAR(memo.bound(parsed("k * x"), variables).slope, k + 1.0, 0.1 * (k + 1));
+    }
+}
+
 }  // namespace
 }  // namespace fieldwright::graph

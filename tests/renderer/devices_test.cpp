@@ -107,6 +107,50 @@ TEST(ViewCamera, equal_to_the_scenes_gives_the_scenes_picture)
     EXPECT_GT(share_apart(of_scene, picture(render_on_cpu(program, request), View::normal, 256)), 0.1);
 }
 
+// Lamps of every kind with every kind of shadow over the still life.
+Scene many_lights(std::string_view sky)
+{
+    Scene s = still_life();
+    auto kind = [](const char* word) { return graph::Value(std::string(word)); };
+    s.node("point", {{"position", vec3(2, 1.5f, 3)}, {"shadow", kind("soft")}, {"falloff", kind("power")}});
+    s.node("spot", {{"position", vec3(1, 3, 3)}, {"shadow", kind("soft_corrected")}});
+    s.node("sphere_area", {{"position", vec3(-2, 3, 0)}, {"falloff", kind("none")}, {"intensity", 0.4f}});
+    s.node("sun", {{"azimuth", -60.0f}, {"intensity", 0.3f}, {"shadow", kind("off")}});
+    for (const graph::Node& node : s.document.root.nodes)
+        if (node.type == "output") {
+            s.wire(s.node(sky), node.id, "sky");
+            break;
+        }
+    return s;
+}
+
+TEST(Devices, agree_on_every_kind_of_light_shadow_and_sky)
+{
+    GpuDevice gpu;
+    for (const char* sky : {"sun_and_sky", "environment"}) {
+        SCOPED_TRACE(sky);
+        expect_alike(many_lights(sky).program(), gpu, small_request());
+    }
+}
+
+TEST(Devices, agree_on_every_way_to_march_and_to_occlude)
+{
+    GpuDevice gpu;
+    Scene s = still_life();
+    s.document.march.central_normals = true;
+    s.document.march.normal_step = 0.01f;
+    s.document.occlusion.smallest_ratio = true;
+    s.document.occlusion.samples = 9;
+    expect_alike(s.program(), gpu, small_request());
+    s = many_lights("gradient");
+    s.document.march.constant_steps = true;
+    expect_alike(s.program(), gpu, small_request());
+    s = many_lights("gradient");
+    s.document.march.own_step_scale = true;
+    s.document.march.step_scale = 0.6f;
+    expect_alike(s.program(), gpu, small_request());
+}
+
 TEST(Devices, stop_between_tiles_and_strips)
 {
     GpuDevice gpu;

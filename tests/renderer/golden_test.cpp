@@ -155,18 +155,54 @@ TEST(Goldens, of_every_view)
         compare("view_" + view, picture_of(scene, *renderer::view_from_name(view)));
 }
 
-TEST(Goldens, of_every_light_and_camera)
+// What lights and shows a scene; the categories are the names of the output's sockets.
+bool is_setting(std::string_view category) { return category == "light" || category == "camera" || category == "sky"; }
+
+TEST(Goldens, of_every_light_camera_and_sky)
 {
     auto library = graph::Library::embedded();
     for (const graph::NodeType* type : library->types()) {
-        if (type->category != "light" && type->category != "camera") continue;
+        if (!is_setting(type->category)) continue;
         Scene scene;
         NodeId output = scene.show(combined("union")(scene));
         NodeId made = scene.node(type->name);
-        if (type->category == "camera") scene.wire(made, output, "camera");
-        if (type->category == "camera") scene.node("sun");
+        if (type->category != "light") scene.wire(made, output, type->category);
+        if (type->category != "light") scene.node("sun");
         compare(type->category + "_" + type->name, picture_of(scene));
     }
+}
+
+// A ball of some material before a red ball and a blue box, on a checkered floor.
+Scene staged(std::string_view material, std::initializer_list<Scene::Setting> settings)
+{
+    Scene scene = composed([&](Scene& s) {
+        NodeId ball = wired(s, "translate", s.node("sphere", {{"radius", 0.55f}}), {{"offset", vec3(0.7f, 0, 0.9f)}});
+        NodeId shown = s.node("paint", {{"d", ball}, {"material", s.node(material, settings)}});
+        NodeId floor = s.node("paint", {{"d", s.node("plane", {{"height", -0.75f}})}, {"material", s.node("checker")}});
+        return both(s, "union", both(s, "union", both(s, "union", red_ball(s), blue_box(s)), floor), shown);
+    });
+    scene.document.bounces = 3;
+    return scene;
+}
+
+const std::map<std::string, Scene>& optics()
+{
+    static const std::map<std::string, Scene> table = [] {
+        std::map<std::string, Scene> made;
+        made.emplace("optics_glass", staged("glass", {}));
+        made.emplace("optics_glass_milky",
+                     staged("glass", {{"transmission", 0.5f}, {"colour", vec3(0.3f, 0.8f, 0.6f)}}));
+        made.emplace("optics_mirror", staged("phong", {{"reflection", 0.8f}}));
+        made.emplace("optics_metal", staged("metallic_roughness", {{"roughness", 0.1f}}));
+        made.emplace("optics_fog", staged("phong", {})).first->second.document.fog = {.density = 0.35f, .start = 2.5f};
+        return made;
+    }();
+    return table;
+}
+
+TEST(Goldens, of_mirrors_glass_and_fog)
+{
+    for (const auto& [title, scene] : optics()) compare(title, picture_of(scene));
 }
 
 TEST(Goldens, of_every_example)
@@ -186,9 +222,9 @@ TEST(Goldens, are_all_drawn_by_some_test)
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(FIELDWRIGHT_SOURCE_DIR "/tests/goldens"))
         files += entry.path().extension() == ".png" ? 1 : 0;
-    std::size_t expected = scenes().size() + renderer::view_names().size();
+    std::size_t expected = scenes().size() + renderer::view_names().size() + optics().size();
     for (const graph::NodeType* type : graph::Library::embedded()->types())
-        expected += type->category == "light" || type->category == "camera" ? 1 : 0;
+        expected += is_setting(type->category) ? 1 : 0;
     for (const auto& entry : std::filesystem::directory_iterator(FIELDWRIGHT_SOURCE_DIR "/examples"))
         expected += entry.path().string().ends_with(".scene.json") ? 1 : 0;
     EXPECT_EQ(files, expected) << "a picture without a scene, or a scene without a picture";

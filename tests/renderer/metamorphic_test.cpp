@@ -1,6 +1,9 @@
 // Pairs of scenes that mean the same: their pictures are the same.
 #include "graph/group_edits.h"
+#include "graph/group_types.h"
 #include "graph/history.h"
+#include "graph/own_type_edits.h"
+#include "graph/own_types.h"
 #include "graph/scene_file.h"
 #include "tests/support/pictures.h"
 
@@ -90,6 +93,32 @@ TEST(Metamorphic, unions_associate)
                     lit([&](Scene& s) { return pair(s, type, left_ball(s), pair(s, type, block(s), ring(s))); }));
 }
 
+TEST(Metamorphic, a_union_of_many_is_unions_of_two_in_any_order)
+{
+    Scene of_two = lit([](Scene& s) { return pair(s, "union", pair(s, "union", left_ball(s), block(s)), ring(s)); });
+    expect_same(of_two, lit([](Scene& s) {
+                    return s.node("union_many", {{"a", left_ball(s)}, {"b", block(s)}, {"shape_3", ring(s)}});
+                }));
+    expect_same(of_two, lit([](Scene& s) {
+                    return s.node("union_many", {{"a", ring(s)}, {"shape_5", left_ball(s)}, {"shape_16", block(s)}});
+                }));
+}
+
+TEST(Metamorphic, a_smooth_union_of_many_is_smooth_unions_of_pairs)
+{
+    auto two = [](Scene& s, NodeId a, NodeId b) { return pair(s, "smooth_union", a, b); };
+    auto ball_above = [](Scene& s) { return moved(s, s.node("sphere", {{"radius", 0.5f}}), 0.2f, 1.0f, 0); };
+    expect_same(lit([&](Scene& s) { return two(s, left_ball(s), block(s)); }), lit([&](Scene& s) {
+                    return s.node("smooth_union_many", {{"b", left_ball(s)}, {"shape_7", block(s)}});
+                }));
+    expect_same(lit([&](Scene& s) { return two(s, two(s, left_ball(s), block(s)), two(s, ring(s), ball_above(s))); }),
+                lit([&](Scene& s) {
+                    return s.node(
+                        "smooth_union_many",
+                        {{"a", left_ball(s)}, {"b", block(s)}, {"shape_3", ring(s)}, {"shape_4", ball_above(s)}});
+                }));
+}
+
 TEST(Metamorphic, union_with_itself_changes_nothing)
 {
     Scene alone = lit([](Scene& s) { return block(s); });
@@ -111,6 +140,46 @@ TEST(Metamorphic, an_unconnected_side_changes_nothing)
     expect_same(lit([](Scene& s) { return block(s); }), lit([](Scene& s) {
                     return s.node("smooth_union", {{"b", block(s)}});
                 }));
+}
+
+TEST(Metamorphic, inverting_twice_changes_nothing)
+{
+    auto inverted = [](Scene& s, NodeId field) { return s.node("invert", {{"d", field}}); };
+    expect_same(lit([](Scene& s) { return block(s); }),
+                lit([&](Scene& s) { return inverted(s, inverted(s, block(s))); }));
+}
+
+TEST(Metamorphic, subtracting_is_sharing_with_the_inverse)
+{
+    expect_same(lit([](Scene& s) {
+                    return s.node("subtract", {{"a", block(s)}, {"b", left_ball(s)}});
+                }),
+                lit([](Scene& s) {
+                    return pair(s, "intersect", block(s), s.node("invert", {{"d", left_ball(s)}}));
+                }));
+}
+
+TEST(Metamorphic, mirroring_twice_is_mirroring_once)
+{
+    auto mirrored = [](Scene& s, NodeId field) { return s.node("mirror", {{"d", field}, {"offset", 0.0f}}); };
+    expect_same(lit([&](Scene& s) { return mirrored(s, ring(s)); }),
+                lit([&](Scene& s) { return mirrored(s, mirrored(s, ring(s))); }));
+}
+
+TEST(Metamorphic, growing_and_shrinking_changes_nothing)
+{
+    auto grown = [](Scene& s, NodeId field, float by) { return s.node("offset", {{"d", field}, {"amount", by}}); };
+    expect_alike(lit([](Scene& s) { return ring(s); }),
+                 lit([&](Scene& s) { return grown(s, grown(s, ring(s), 0.15f), -0.15f); }));
+}
+
+TEST(Metamorphic, a_morph_is_one_shape_at_each_end)
+{
+    auto morphed = [](Scene& s, float amount) {
+        return s.node("morph", {{"a", block(s)}, {"b", ring(s)}, {"amount", amount}});
+    };
+    expect_alike(lit([](Scene& s) { return block(s); }), lit([&](Scene& s) { return morphed(s, 0.0f); }));
+    expect_alike(lit([](Scene& s) { return ring(s); }), lit([&](Scene& s) { return morphed(s, 1.0f); }));
 }
 
 TEST(Metamorphic, translating_there_and_back_changes_nothing)
@@ -202,6 +271,47 @@ TEST(Metamorphic, grouping_changes_nothing)
         inner.erase(id);
     ASSERT_EQ(graph::group_nodes(grouped.document, *grouped.library, inner).refusal, std::nullopt);
     expect_same(flat, grouped);
+}
+
+TEST(Metamorphic, setting_a_number_from_outside_of_a_group_is_setting_it)
+{
+    auto ball = [](float radius) {
+        return lit([&](Scene& s) { return moved(s, s.node("sphere", {{"radius", radius}}), 0.2f, 0.1f, 0); });
+    };
+    Scene flat = ball(0.9f), grouped = ball(0.4f);
+    NodeId sphere, translate;
+    for (const graph::Node& node : grouped.document.root.nodes) {
+        if (node.type == "sphere") sphere = node.id;
+        if (node.type == "translate") translate = node.id;
+    }
+    graph::Placed placed = graph::group_nodes(grouped.document, *grouped.library, {sphere, translate}, "Ball");
+    ASSERT_EQ(placed.refusal, std::nullopt);
+    grouped.library = graph::with_groups(*grouped.library, grouped.document);
+    ASSERT_EQ(graph::expose(grouped.document, *grouped.library, "Ball", sphere, "radius"), std::nullopt);
+    grouped.library = graph::with_groups(*grouped.library, grouped.document);
+    grouped.set(placed.node, "radius", 0.9f);
+    expect_same(flat, grouped);
+}
+
+// The text of a built-in node under another name, as its user's own.
+TEST(Metamorphic, a_copy_of_a_node_as_an_own_type_changes_nothing)
+{
+    renderer::GpuDevice gpu;
+    auto draw = [&](const Scene& scene) {
+        renderer::FrameRequest request{.width = picture_side, .height = picture_side};
+        return renderer::picture(gpu.render(scene.program(), request), renderer::View::beauty,
+                                 scene.document.march.step_limit);
+    };
+    Scene built_in = lit([](Scene&s) { return pair(s, "smooth_union", block(s), ring(s)); }), own = built_in;
+    for (const char* name : {"smooth_union", "torus", "box"}) {
+        graph::OwnType copy = graph::renamed({name, own.library->type(name)->source.text}, std::string("my_") + name);
+        ASSERT_EQ(graph::add_own_type(own.document, *own.library, copy), std::nullopt);
+        for (graph::Node& node : own.document.root.nodes)
+            if (node.type == name) node.type = copy.name;
+    }
+    own.library = graph::with_own_types(*graph::Library::embedded(), own.document.own_types);
+    ASSERT_TRUE(own.program().gpu_only);
+    EXPECT_TRUE(draw(built_in).rgb == draw(own).rgb) << "apart: " << share_apart(draw(built_in), draw(own));
 }
 
 TEST(Metamorphic, saving_and_opening_changes_nothing)

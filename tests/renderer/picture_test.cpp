@@ -69,10 +69,12 @@ TEST(Views, are_found_by_their_names)
 {
     for (std::size_t i = 0; i < view_names().size(); ++i)
         EXPECT_EQ(view_from_name(view_names()[i]), static_cast<View>(i));
-    for (std::size_t i = 0; i < stereo_names().size(); ++i)
-        EXPECT_EQ(stereo_from_name(stereo_names()[i]), static_cast<Stereo>(i));
     EXPECT_FALSE(view_from_name("heat"));
-    EXPECT_FALSE(stereo_from_name(""));
+    std::set<std::string> titles;
+    for (const ViewKind& kind : views()) {
+        EXPECT_TRUE(titles.insert(kind.title).second) << kind.name;
+        EXPECT_TRUE(std::string(kind.help).ends_with('.')) << kind.name;
+    }
 }
 
 TEST(Beauty, is_clamped_and_encoded_as_srgb)
@@ -111,6 +113,50 @@ TEST(Steps, are_viridis_from_none_to_the_limit_and_magenta_when_exhausted)
     EXPECT_EQ(shown(frame, View::steps), (Bytes{255, 0, 255}));
 }
 
+TEST(Steps, end_at_the_full_scale_in_the_map_that_is_asked_for)
+{
+    Frame frame(1, 1);
+    frame.steps[0] = 40;
+    Display display{.view = View::steps, .colour_map = ColourMap::inferno, .full_scale = 40};
+    EXPECT_EQ(first_pixel(picture(frame, frame, display, 256)), (Bytes{0xfc, 0xff, 0xa4}));
+    frame.steps[0] = 0;
+    EXPECT_EQ(first_pixel(picture(frame, frame, display, 256)), (Bytes{0, 0, 4}));
+}
+
+TEST(Glow, is_magenta_light_over_the_picture_and_grows_with_the_steps)
+{
+    Frame frame = one_colour(vec3(0.2f));
+    EXPECT_EQ(shown(frame, View::glow, 100), shown(frame, View::beauty, 100));
+    frame.steps[0] = 30;
+    // 0.2 + 0.3 of red and blue, 0.2 of green, stored.
+    EXPECT_EQ(shown(frame, View::glow, 100), (Bytes{188, 124, 188}));
+    frame.exhausted[0] = 1;
+    EXPECT_EQ(shown(frame, View::glow, 100), (Bytes{255, 124, 255}));
+}
+
+TEST(Layers, are_shown_as_what_they_are)
+{
+    Frame frame(1, 1, true);
+    frame.layers->albedo[0] = vec3(0.18f, 0.5f, 1.0f);
+    EXPECT_EQ(shown(frame, View::albedo), (Bytes{118, 188, 255}));
+    frame.layers->position[0] = vec3(3.25f, -0.5f, 2);
+    expect_near(shown(frame, View::position), {64, 128, 0}, 1);
+    frame.layers->shadow[0] = 0.5f;
+    expect_near(shown(frame, View::shadow), {128, 128, 128}, 1);
+    frame.layers->gradient_length[0] = 2;
+    expect_near(shown(frame, View::gradient), {0xfd, 0xe7, 0x25}, 1);
+    frame.layers->shadow_steps[0] = 256;
+    expect_near(shown(frame, View::shadow_steps), {0xfd, 0xe7, 0x25}, 1);
+}
+
+TEST(Layers, that_are_not_there_are_black)
+{
+    for (std::size_t i = 0; i < views().size(); ++i) {
+        if (!views()[i].layers) continue;
+        EXPECT_EQ(shown(Frame(1, 1), static_cast<View>(i)), (Bytes{0, 0, 0})) << views()[i].name;
+    }
+}
+
 TEST(Views, show_a_miss_as_black)
 {
     for (View view : {View::normal, View::depth, View::id}) EXPECT_EQ(shown(Frame(1, 1), view), (Bytes{0, 0, 0}));
@@ -145,38 +191,20 @@ TEST(Ids, have_colours_of_their_own)
 TEST(Anaglyph, naive_takes_red_from_the_left_eye_and_the_rest_from_the_right)
 {
     Frame left = one_colour(vec3(1, 0, 0)), right = one_colour(vec3(0, 0.5f, 1));
-    EXPECT_EQ(first_pixel(anaglyph(left, right, View::beauty, 256, Stereo::naive)), (Bytes{255, 188, 255}));
-    EXPECT_EQ(first_pixel(anaglyph(right, left, View::beauty, 256, Stereo::naive)), (Bytes{0, 0, 0}));
+    EXPECT_EQ(first_pixel(picture(left, right, {.stereo = Stereo::naive}, 256)), (Bytes{255, 188, 255}));
+    EXPECT_EQ(first_pixel(picture(right, left, {.stereo = Stereo::naive}, 256)), (Bytes{0, 0, 0}));
 }
 
 TEST(Anaglyph, dubois_keeps_white_and_mixes_colours_in_linear_light)
 {
     Frame white = one_colour(vec3(1)), black = one_colour(vec3(0));
-    expect_near(first_pixel(anaglyph(white, white, View::beauty, 256, Stereo::dubois)), {255, 255, 255}, 1);
+    expect_near(first_pixel(picture(white, white, {.stereo = Stereo::dubois}, 256)), {255, 255, 255}, 1);
     // Rows of the matrices summed: 1.132965 and less than 0 on the left; less than 0, 1.0936662 and 1.0412863 on the right.
-    EXPECT_EQ(first_pixel(anaglyph(white, black, View::beauty, 256, Stereo::dubois)), (Bytes{255, 0, 0}));
-    EXPECT_EQ(first_pixel(anaglyph(black, white, View::beauty, 256, Stereo::dubois)), (Bytes{0, 255, 255}));
+    EXPECT_EQ(first_pixel(picture(white, black, {.stereo = Stereo::dubois}, 256)), (Bytes{255, 0, 0}));
+    EXPECT_EQ(first_pixel(picture(black, white, {.stereo = Stereo::dubois}, 256)), (Bytes{0, 255, 255}));
     // 0.456100 of red is 0.7064 encoded.
-    EXPECT_EQ(first_pixel(anaglyph(one_colour(vec3(1, 0, 0)), black, View::beauty, 256, Stereo::dubois)),
+    EXPECT_EQ(first_pixel(picture(one_colour(vec3(1, 0, 0)), black, {.stereo = Stereo::dubois}, 256)),
               (Bytes{180, 0, 0}));
-}
-
-TEST(Stereo, both_eyes_meet_at_the_convergence_depth_without_vertical_parallax)
-{
-    Rows camera(12), eye(1), interaxial(1), convergence(1), seen(12);
-    vec3 direction = glm::normalize(vec3(0.3f, 0.2f, -1.0f));
-    const float lanes[12] = {1, 2, 3, direction.x, direction.y, direction.z, 0, 0, -1, 1, 0, 0};
-    for (int k = 0; k < 12; ++k) camera.lane(k)[0] = camera.lane(k)[1] = lanes[k];
-    eye.lane(0)[0] = -1;
-    eye.lane(0)[1] = 1;
-    interaxial.fill(0, 0.065f);
-    convergence.fill(0, 4);
-    RowFunction("stereo_ray", field::kernels())(seen, 2, camera, eye, interaxial, convergence);
-    vec3 met[2];
-    for (int i = 0; i < 2; ++i) met[i] = seen.vec3(0, i) + seen.vec3(3, i) * (-4.0f / seen.vec3(3, i).z);
-    EXPECT_NEAR(seen.vec3(0, 1).x - seen.vec3(0, 0).x, 0.065f, 1e-6f);
-    EXPECT_LT(glm::length(met[0] - met[1]), 1e-5f);
-    EXPECT_NEAR(seen.vec3(3, 0).y / seen.vec3(3, 0).z, seen.vec3(3, 1).y / seen.vec3(3, 1).z, 1e-6f);
 }
 
 TEST_F(PictureFile, reads_back_what_was_written)

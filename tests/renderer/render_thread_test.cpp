@@ -7,13 +7,14 @@
 #include "tests/support/pictures.h"
 
 #include <gtest/gtest.h>
-#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -155,17 +156,51 @@ TEST(RenderThread, shows_every_view_and_anaglyphs_as_the_command_line_does)
     Frame right = render_on_cpu(*request.program, request.frame);
     request.frame.eye = Eye::centre;
     Desk desk(Device::cpu);
-    for (const std::string& view_name : view_names())
-        for (const std::string& stereo_name : stereo_names()) {
-            request.view = *view_from_name(view_name);
-            request.stereo = *stereo_from_name(stereo_name);
-            bool flat = request.stereo == Stereo::off;
-            std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request));
-            ASSERT_TRUE(drawn);
-            EXPECT_EQ(drawn->picture->rgb, anaglyph(flat ? centre : left, right, request.view, 256, request.stereo).rgb)
-                << view_name << " " << stereo_name;
-            EXPECT_EQ(drawn->right_frame == nullptr, flat);
-        }
+    auto expect_shown = [&](const Display& display) {
+        request.display = display;
+        bool flat = display.stereo == Stereo::off;
+        std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request));
+        ASSERT_TRUE(drawn);
+        EXPECT_EQ(drawn->picture->rgb, picture(flat ? centre : left, right, display, 256).rgb)
+            << kind_of(display.view).name << " " << mode_of(display.stereo).name;
+        EXPECT_EQ(drawn->right_frame == nullptr, flat);
+        EXPECT_EQ(drawn->fighting_share.has_value(), mode_of(display.stereo).layout == StereoLayout::mixed);
+    };
+    for (std::size_t i = 0; i < view_names().size(); ++i)
+        if (!views()[i].layers) expect_shown({.view = static_cast<View>(i)});
+    for (std::size_t i = 0; i < stereo_modes().size(); ++i) expect_shown({.stereo = static_cast<Stereo>(i)});
+    expect_shown({.stereo = Stereo::dubois, .swap_eyes = true, .split = 0.3f, .rivalry = true});
+}
+
+TEST(RenderThread, draws_slices_on_the_cpu_and_goes_back_to_rays)
+{
+    PictureRequest request = request_of(program_of(balls(3)), 160, 90);
+    Desk desk(Device::automatic);
+    ASSERT_TRUE(desk.final_picture(desk.ask(request)));
+    request.frame.slice = Slice{};
+    request.display.view = View::slice;
+    std::optional<DrawnPicture> slice = desk.final_picture(desk.ask(request));
+    ASSERT_TRUE(slice);
+    EXPECT_TRUE(slice->of_slice);
+    EXPECT_EQ(std::string(slice->device), "cpu");
+    EXPECT_EQ(slice->picture->rgb, picture(render_on_cpu(*request.program, request.frame), View::slice, 256).rgb);
+    request.frame.slice.reset();
+    request.display.view = View::beauty;
+    EXPECT_FALSE(desk.final_picture(desk.ask(request))->of_slice);
+}
+
+TEST(RenderThread, counts_what_a_picture_takes)
+{
+    PictureRequest request = request_of(program_of(balls(3)), 160, 90);
+    Desk desk(Device::cpu);
+    std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request));
+    ASSERT_TRUE(drawn);
+    std::vector<int> steps = render_on_cpu(*request.program, request.frame).steps;
+    std::sort(steps.begin(), steps.end());
+    EXPECT_EQ(drawn->steps.p99,
+              steps[static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(steps.size()))) - 1]);
+    EXPECT_GE(drawn->steps.evaluations, std::accumulate(steps.begin(), steps.end(), std::int64_t{0}))
+        << "the eyes' steps, and normals and shadows besides";
 }
 
 TEST(RenderThread, lets_the_newest_request_win)
@@ -318,6 +353,81 @@ TEST(RenderThread, rests_when_the_picture_is_there)
     EXPECT_FALSE(desk.thread.poll() && desk.thread.poll()) << "pictures go on";
 }
 
+TEST(RenderThread, adds_samples_to_a_finished_picture_and_then_rests)
+{
+    for (Device device : {Device::cpu, Device::gpu}) {
+        PictureRequest request = request_of(program_of(balls(8)), 320, 180);
+        request.exposure.samples = 12;
+        Desk desk(device);
+        desk.ask(request);
+        std::optional<DrawnPicture> drawn = desk.next_of<DrawnPicture>();
+        int least = 0;
+        for (; drawn && drawn->samples < 12; drawn = desk.next_of<DrawnPicture>()) {
+            EXPECT_GE(drawn->samples, least);
+            EXPECT_TRUE(drawn->samples == 1 || drawn->final);
+            least = drawn->samples;
+        }
+        ASSERT_TRUE(drawn);
+        GpuDevice gpu;
+        auto draw = [&](int sample) {
+            FrameRequest frame = sample_of(request.frame, request.exposure, sample);
+            return device == Device::gpu ? gpu.render(*request.program, frame) : render_on_cpu(*request.program, frame);
+        };
+        Accumulator sums;
+        for (int i = 0; i < 12; ++i) sums.add(draw(i), request.exposure);
+        Frame mean = draw(0);
+        sums.resolve(mean, request.exposure);
+        EXPECT_EQ(drawn->frame->colour, mean.colour);
+        EXPECT_EQ(drawn->frame->depth, mean.depth) << "other buffers are those of the first sample";
+        EXPECT_EQ(drawn->picture->rgb, picture(mean, View::beauty, 256).rgb);
+        ASSERT_TRUE(desk.rests());
+        double before = processor_seconds();
+        std::this_thread::sleep_for(300ms);
+        EXPECT_LT(processor_seconds() - before, 0.010);
+        EXPECT_FALSE(desk.next(50ms)) << "pictures go on";
+    }
+}
+
+TEST(RenderThread, adds_no_samples_while_a_hand_moves_and_goes_on_where_it_was)
+{
+    PictureRequest request = request_of(program_of(balls(8)), 320, 180);
+    request.exposure.samples = 3;
+    Desk desk(Device::cpu);
+    desk.ask(request);
+    ASSERT_TRUE(desk.rests());
+    request.exposure.samples = 6;
+    desk.ask(request, true);
+    ASSERT_TRUE(desk.rests());
+    std::optional<DrawnPicture> held;
+    while (std::optional<DrawnPicture> drawn = desk.next_of<DrawnPicture>(50ms)) held = drawn;
+    ASSERT_TRUE(held);
+    EXPECT_EQ(held->samples, 3);
+    std::uint64_t generation = desk.ask(request);
+    ASSERT_TRUE(desk.rests());
+    while (std::optional<DrawnPicture> drawn = desk.next_of<DrawnPicture>(50ms)) held = drawn;
+    EXPECT_EQ(held->samples, 6);
+    EXPECT_EQ(held->generation, generation);
+}
+
+TEST(RenderThread, shows_another_look_of_the_samples_that_are_there)
+{
+    PictureRequest request = request_of(program_of(balls(8)), 320, 180);
+    request.exposure.samples = 4;
+    Desk desk(Device::cpu);
+    desk.ask(request);
+    ASSERT_TRUE(desk.rests());
+    std::optional<DrawnPicture> first, second;
+    while (std::optional<DrawnPicture> drawn = desk.next_of<DrawnPicture>(50ms)) first = drawn;
+    request.display.look = {graph::ToneMap::agx, 1};
+    desk.ask(request);
+    ASSERT_TRUE(desk.rests());
+    while (std::optional<DrawnPicture> drawn = desk.next_of<DrawnPicture>(50ms)) second = drawn;
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(second->samples, 4);
+    EXPECT_EQ(second->frame, first->frame) << "it was drawn again";
+    EXPECT_EQ(second->picture->rgb, picture(*first->frame, View::beauty, 256, request.display.look).rgb);
+}
+
 TEST(RenderThread, answers_the_same_request_with_the_same_picture)
 {
     PictureRequest request = request_of(program_of(balls(8)), 320, 180);
@@ -368,7 +478,6 @@ TEST(RenderThread, gives_way_to_the_windows_thread)
         int thread = std::stoi(task.path().filename());
         bool compiles = name == "render gpu";
         EXPECT_EQ(getpriority(PRIO_PROCESS, static_cast<id_t>(thread)), compiles ? 19 : 10) << name;
-        EXPECT_EQ(sched_getscheduler(thread), compiles ? SCHED_IDLE : SCHED_OTHER) << name;
     }
     EXPECT_TRUE(seen.contains("render cpu") && seen.contains("render gpu"));
 }
@@ -471,7 +580,7 @@ TEST(Passes, go_from_what_is_affordable_to_the_full_picture)
     EXPECT_EQ(divisors(2000, {}), (std::vector{8, 2, 1}));
     EXPECT_EQ(divisors(2000, 8), (std::vector{2, 1}));
     EXPECT_EQ(divisors(2000, 1), (std::vector<int>{}));
-    request.stereo = Stereo::dubois;
+    request.display.stereo = Stereo::dubois;
     EXPECT_EQ(divisors(2000, {}), (std::vector{12, 2, 1}));
     request.interacting = true;
     EXPECT_EQ(divisors(1e6, {}), (std::vector{16}));

@@ -11,15 +11,16 @@ namespace fieldwright::tests {
 
 constexpr int picture_side = 128;  // px
 
-inline renderer::Frame frame_of(const Scene& scene)
+inline renderer::Frame frame_of(const Scene& scene, bool layers = false)
 {
     renderer::FrameRequest request{.width = picture_side, .height = picture_side, .time = 0.6f};
+    request.layers = layers;
     return renderer::render_on_cpu(scene.program(), request);
 }
 
 inline renderer::Picture picture_of(const Scene& scene, renderer::View view = renderer::View::beauty)
 {
-    return renderer::picture(frame_of(scene), view, scene.document.march.step_limit);
+    return renderer::picture(frame_of(scene, renderer::kind_of(view).layers), view, scene.document.march.step_limit);
 }
 
 // Share of pixels with a channel more than 2/255 apart; 1 when the sizes differ.

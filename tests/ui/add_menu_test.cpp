@@ -181,5 +181,29 @@ TEST_F(AddMenuTest, a_space_typed_by_the_key_that_opened_it_is_no_query)
     EXPECT_TRUE(driver->shows("add_menu/category/primitive"));
 }
 
+TEST_F(AddMenuTest, a_node_to_be_written_is_found_by_name_and_lives_in_the_scene)
+{
+    open().type("custom modifier");
+    driver->key(ui::key::enter);
+    ASSERT_EQ(driver->document.own_types.size(), 1u);
+    NodeId added = driver->editor.view.selection.active();
+    ASSERT_TRUE(added);
+    EXPECT_EQ(node(added).type, driver->document.own_types[0].name);
+    driver->editor.canvas().open_add_menu();
+    driver->frames(3);
+    EXPECT_TRUE(driver->shows("add_menu/category/custom"));
+}
+
+TEST_F(AddMenuTest, a_loose_wire_is_offered_no_node_that_is_yet_to_be_written)
+{
+    open();
+    driver->key(ui::key::escape);
+    glm::vec2 from = driver->place("canvas/node/" + std::to_string(sphere.number) + "/out");
+    driver->drag(from, from + glm::vec2(40, 220));
+    driver->frames(3);
+    ASSERT_TRUE(driver->shows("add_menu/search"));
+    EXPECT_FALSE(driver->shows("add_menu/category/custom"));
+}
+
 }  // namespace
 }  // namespace fieldwright::tests

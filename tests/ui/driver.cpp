@@ -52,8 +52,22 @@ Driver::Driver(graph::Document start, glm::vec2 size_px)
     ui::set_style(theme_.scale);
     io.FontDefault = theme_.fonts.text;
     editor.rects.listening = true;
-    readings.view_names = {"beauty", "steps", "normal", "depth", "id"};
-    readings.stereo_names = {"off", "naive", "dubois"};
+    readings.views = {{{"beauty", "Beauty", "Surfaces in their light."}, true},
+                      {{"steps", "Steps heatmap", "Steps of rays."}, false, "Steps per ray"},
+                      {{"glow", "Beauty with glow", "Steps as light."}, true},
+                      {{"depth", "Depth", "How far surfaces are."}},
+                      {{"gradient", "Gradient heatmap", "Length of the gradient."}, false, "Gradient length", 2},
+                      {{"slice", "Distance slice", "The field on a plane."}}};
+    readings.stereo_modes = {
+        {{"off", "No stereo", "One eye."}},
+        {{"naive", "Plain red-cyan anaglyph", "Red and cyan."}, true, 1, 1, 0xff0000ff, 0xffffff00},
+        {{"dubois", "Dubois red-cyan anaglyph", "Truer."}, true, 1, 1, 0xff0000ff, 0xffffff00},
+        {{"side-by-side", "Side by side", "Both pictures."}, false, 2, 1}};
+    readings.colour_maps = {{{"viridis", "Viridis", "Even."}, {0xff540144, 0xff8c9121, 0xff25e7fd}},
+                            {{"turbo", "Turbo", "Fine."}, {0xff3b1230, 0xff03047a}}};
+    readings.slice_styles = {{"sign", "Inside and outside", "Blue and amber."},
+                             {"grey", "Distance as grey", "Grey."},
+                             {"gradient", "Gradient error", "Errors."}};
     readings.export_targets = {"glsl", "shadertoy"};
     readings.file_name = "test.scene.json";
     steps.emplace_back(document, "start");

@@ -154,6 +154,23 @@ TEST_F(Hands, what_is_exposed_is_moved_and_removed_in_the_inspector)
     expect_valid();
 }
 
+TEST_F(Hands, what_is_exposed_is_described_in_the_inspector)
+{
+    make_group();
+    hands().key(ui::key::tab);
+    hands().frames(2);
+    ASSERT_FALSE(graph::expose(document(), *hands().library, "Group", ring, "minor"));
+    hands().frames(2);
+    hands().click("group/exposed/minor/help");
+    hands().type("How thick the tyre is.");
+    hands().key(ui::key::enter);
+    EXPECT_EQ(document().groups[0].exposed[0].help, "How thick the tyre is.");
+    EXPECT_EQ(step(), "Describe minor");
+    hands().frames(2);
+    EXPECT_EQ(hands().library->type("group:Group")->parameter("minor")->help, "How thick the tyre is.");
+    expect_valid();
+}
+
 TEST_F(Hands, ungrouping_shows_the_same_picture_as_before)
 {
     make_group();

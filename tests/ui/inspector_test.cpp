@@ -337,10 +337,10 @@ TEST(Inspector, a_choice_is_picked_from_its_words)
 
 TEST(Inspector, a_boolean_is_flipped_by_a_click)
 {
-    OneNode sun("sun");
-    sun.driver.click("inspector/shadow");
-    EXPECT_EQ(sun.driver.document, sun.with("shadow", false));
-    EXPECT_EQ(sun.driver.steps.size(), 2u);
+    OneNode polyline("polyline");
+    polyline.driver.click("inspector/closed");
+    EXPECT_EQ(polyline.driver.document, polyline.with("closed", true));
+    EXPECT_EQ(polyline.driver.steps.size(), 2u);
 }
 
 TEST(Inspector, an_angle_is_typed_and_stored_in_degrees)
@@ -485,13 +485,60 @@ TEST(Inspector, points_are_added_moved_and_deleted)
 
 TEST(Inspector, without_a_selection_it_shows_the_scene)
 {
-    Driver driver(graph::Document{});
-    drag_right(driver, "inspector/scene/strength", -50);
+    Driver driver(graph::Document{}, {1280, 1600});
+    driver.editor.view.panes.inspector_share = 0.85f;
+    drag_right(driver, "inspector/scene/occlusion/strength", -50);
     EXPECT_LT(driver.document.occlusion.strength, 1.0f);
     EXPECT_EQ(driver.steps.back().second, "Change strength");
     driver.click("inspector/scene/out_of_steps/hit");
     EXPECT_TRUE(driver.document.march.out_of_steps_hits);
     EXPECT_EQ(driver.steps.size(), 3u);
+    drag_right(driver, "inspector/scene/bounces", 60);
+    EXPECT_GT(driver.document.bounces, 0);
+    EXPECT_EQ(driver.steps.back().second, "Change bounces");
+    drag_right(driver, "inspector/scene/fog/density", 40);
+    EXPECT_GT(driver.document.fog.density, 0);
+}
+
+TEST(Inspector, shows_how_the_scene_becomes_a_picture)
+{
+    Driver driver(graph::Document{}, {1280, 2400});
+    driver.editor.view.panes.inspector_share = 0.85f;
+    driver.click("inspector/scene/tone_map/agx");
+    EXPECT_EQ(driver.document.picture.tone_map, graph::ToneMap::agx);
+    EXPECT_EQ(driver.steps.back().second, "Change tone map");
+    EXPECT_FALSE(driver.shows("inspector/scene/backdrop_colour"));
+    driver.click("inspector/scene/backdrop/colour");
+    EXPECT_EQ(driver.document.picture.backdrop, graph::Backdrop::colour);
+    EXPECT_TRUE(driver.shows("inspector/scene/backdrop_colour"));
+    drag_right(driver, "inspector/scene/samples", 40);
+    EXPECT_GT(driver.document.picture.samples, 16);
+    drag_right(driver, "inspector/scene/last_frame", 40);
+    EXPECT_GT(driver.document.animation.last_frame, 120);
+    EXPECT_EQ(driver.steps.back().second, "Change last frame");
+}
+
+TEST(Inspector, shows_the_marching_settings_that_matter)
+{
+    Driver driver(graph::Document{}, {1280, 1600});
+    driver.editor.view.panes.inspector_share = 0.85f;
+    EXPECT_TRUE(driver.shows("inspector/scene/minimum_step"));
+    EXPECT_FALSE(driver.shows("inspector/scene/constant_step"));
+    EXPECT_FALSE(driver.shows("inspector/scene/step_scale"));
+    driver.click("inspector/scene/step_scale_from/own");
+    EXPECT_TRUE(driver.document.march.own_step_scale);
+    EXPECT_EQ(driver.steps.back().second, "Change step scale");
+    EXPECT_TRUE(driver.shows("inspector/scene/step_scale"));
+    driver.click("inspector/scene/method/constant_steps");
+    EXPECT_TRUE(driver.document.march.constant_steps);
+    EXPECT_TRUE(driver.shows("inspector/scene/constant_step"));
+    EXPECT_FALSE(driver.shows("inspector/scene/minimum_step"));
+    driver.click("inspector/scene/normals/central");
+    EXPECT_TRUE(driver.document.march.central_normals);
+    driver.click("inspector/scene/occlusion/kind/smallest_ratio");
+    EXPECT_TRUE(driver.document.occlusion.smallest_ratio);
+    drag_right(driver, "inspector/scene/occlusion/samples", 60);
+    EXPECT_GT(driver.document.occlusion.samples, 5);
 }
 
 TEST(Inspector, several_selected_edits_the_active_one)

@@ -52,8 +52,8 @@ struct OnPanel : Driver {
 TEST(Panels, every_tab_opens_its_panel)
 {
     OnPanel driver(Panel::materials);
-    const char* names[] = {"materials", "lights", "camera", "cost", "stereo", "shader", "problems", "history"};
-    for (int i = 7; i >= 0; --i) {
+    const char* names[] = {"materials", "lights", "camera", "cost", "field", "stereo", "shader", "problems", "history"};
+    for (int i = 8; i >= 0; --i) {
         driver.click(std::string("panel/tab/") + names[i]);
         EXPECT_EQ(static_cast<int>(driver.editor.view.panel), i);
     }
@@ -242,13 +242,94 @@ TEST(CostPanel, the_heatmap_is_switched_on_and_off)
     EXPECT_TRUE(driver.shows("panel/cost/legend"));
     driver.click("panel/cost/heatmap");
     EXPECT_EQ(driver.editor.view.view, "beauty");
+    driver.click("panel/cost/glow");
+    EXPECT_EQ(driver.editor.view.view, "glow");
+    driver.click("panel/cost/colour_map");
+    driver.click("panel/cost/colour_map/choice/turbo");
+    EXPECT_EQ(driver.editor.view.colour_map, "turbo");
+}
+
+TEST(CostPanel, shows_the_steps_beside_the_picture_but_not_beside_themselves)
+{
+    OnPanel driver(Panel::cost);
+    EXPECT_FALSE(driver.shows("panel/cost/side_picture"));
+    driver.readings.steps_picture = {reinterpret_cast<ImTextureID>(1), 160, 90};
+    driver.frames(1);
+    EXPECT_TRUE(driver.shows("panel/cost/side_picture"));
+    driver.click("panel/cost/heatmap");
+    EXPECT_FALSE(driver.shows("panel/cost/side_picture"));
+}
+
+TEST(CostPanel, measures_nodes_when_asked_and_leads_to_the_dearest)
+{
+    OnPanel driver(Panel::cost);
+    driver.editor.view.panes.inspector_share = 0.1f;
+    driver.frames(2);
+    driver.click("panel/cost/measure");
+    ASSERT_EQ(driver.requests.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<ui::MeasureNodes>(driver.requests[0]));
+    NodeId sphere = node_of(driver.document, "sphere");
+    driver.readings.node_costs.picture_ms = 20;
+    driver.readings.node_costs.by_node = {{sphere, 12.5}, {NodeId{999}, 3}};
+    driver.frames(2);
+    driver.click("panel/cost/node/" + std::to_string(sphere.number));
+    EXPECT_EQ(driver.editor.view.selection.active(), sphere);
+    EXPECT_FALSE(driver.shows("panel/cost/node/999")) << "no node of the graph that is shown";
+}
+
+TEST(FieldPanel, shows_a_slice_and_chooses_its_plane_and_style)
+{
+    OnPanel driver(Panel::field);
+    driver.click("panel/field/slice");
+    EXPECT_EQ(driver.editor.view.view, "slice");
+    driver.click("panel/field/plane/zx");
+    EXPECT_EQ(driver.editor.view.slice.plane, "zx");
+    driver.click("panel/field/style");
+    driver.click("panel/field/style/choice/grey");
+    EXPECT_EQ(driver.editor.view.slice.style, "grey");
+    EXPECT_TRUE(driver.shows("panel/field/gamma"));
+    glm::vec2 from = driver.place("panel/field/offset");
+    driver.drag(from, from + glm::vec2(40, 0));
+    EXPECT_GT(driver.editor.view.slice.offset, 0);
+    driver.click("panel/field/slice");
+    EXPECT_EQ(driver.editor.view.view, "beauty");
+    EXPECT_EQ(driver.steps.size(), 1u);
+}
+
+TEST(FieldPanel, lists_the_steps_of_a_ray_and_shows_them_on_the_plane_through_it)
+{
+    OnPanel driver(Panel::field);
+    EXPECT_FALSE(driver.shows("panel/field/steps"));
+    driver.click("panel/field/inspect");
+    EXPECT_EQ(driver.editor.view.click, ui::Click::inspect);
+    auto ray = std::make_shared<ui::RayReading>();
+    ray->origin = {0, 0, 5};
+    ray->steps = {{0.01f, 3.9f, 390}, {3.91f, 0.09f, 0.02f}, {4.0f, 0.0f, 0.0f}};
+    ray->end = ui::RayReading::End::hit;
+    ray->t_end = 4;
+    driver.readings.ray = ray;
+    driver.frames(2);
+    EXPECT_TRUE(driver.shows("panel/field/plot"));
+    EXPECT_TRUE(driver.shows("panel/field/steps"));
+    driver.click("panel/field/show_ray");
+    EXPECT_EQ(driver.editor.view.view, "slice");
+    EXPECT_EQ(driver.editor.view.slice.plane, "ray");
 }
 
 TEST(StereoPanel, mode_and_eyes_belong_to_the_view)
 {
     OnPanel driver(Panel::stereo);
-    driver.click("panel/stereo/dubois");
+    driver.click("panel/stereo/mode");
+    driver.click("panel/stereo/mode/choice/dubois");
     EXPECT_EQ(driver.editor.view.stereo, "dubois");
+    driver.click("panel/stereo/space/gamma");
+    EXPECT_FALSE(driver.editor.view.eyes.linear);
+    driver.click("panel/stereo/swap");
+    EXPECT_TRUE(driver.editor.view.eyes.swap);
+    driver.click("panel/stereo/cameras/toe_in");
+    EXPECT_TRUE(driver.editor.view.eyes.toe_in);
+    driver.click("panel/stereo/converge");
+    EXPECT_EQ(driver.editor.view.click, ui::Click::converge);
     driver.double_click(driver.place("panel/stereo/interaxial"));
     driver.type("32");
     driver.key(ui::key::enter);

@@ -235,6 +235,21 @@ TEST(SceneCamera, an_orthographic_one_shows_its_height)
     EXPECT_TRUE(found->eye.orthographic);
     EXPECT_NEAR(found->eye.height_at_pivot(), 7.5f, 1e-4f);
     expect_near(found->eye.position(), {4, 3, 6}, 1e-5f);
+    EXPECT_FALSE(found->bent);
+}
+
+TEST(SceneCamera, of_bent_rays_is_left_in_its_place_but_carries_no_handles)
+{
+    for (const char* type : {"equal_angle", "fisheye"}) {
+        Scene scene;
+        auto output = scene.show(scene.node("sphere"));
+        scene.wire(scene.node(type), output, "camera");
+        auto found = ui::scene_camera(scene.document);
+        ASSERT_TRUE(found) << type;
+        EXPECT_TRUE(found->bent) << type;
+        expect_near(found->eye.position(), {4, 3, 6}, 1e-5f);
+        EXPECT_LT(found->eye.field_of_view_rad, 3.0f);
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "tests/ui/driver.h"
 #include "ui/keys.h"
 #include "ui/scene_camera.h"
+#include "ui/slice_frame.h"
 #include "ui/viewport_overlay.h"
 
 #include <gtest/gtest.h>
@@ -322,11 +323,12 @@ TEST_F(ViewportTest, says_so_when_there_is_no_camera_to_look_through)
 
 TEST_F(ViewportTest, the_menus_choose_the_view_and_the_stereo)
 {
-    for (const std::string& name : driver.readings.view_names) {
+    for (const ui::ViewChoice& choice : driver.readings.views) {
         driver.click("viewport/view");
-        driver.click("viewport/view/" + name);
-        EXPECT_EQ(view().view, name);
+        driver.click("viewport/view/" + choice.name);
+        EXPECT_EQ(view().view, choice.name);
     }
+    view().view = "beauty";
     driver.click("viewport/stereo");
     driver.click("viewport/stereo/dubois");
     EXPECT_EQ(view().stereo, "dubois");
@@ -339,12 +341,111 @@ TEST_F(ViewportTest, the_menus_choose_the_view_and_the_stereo)
     EXPECT_EQ(driver.steps.size(), 1u);
 }
 
-TEST_F(ViewportTest, the_legend_belongs_to_the_steps_view)
+TEST_F(ViewportTest, the_legend_belongs_to_views_of_numbers)
 {
     EXPECT_FALSE(driver.shows("viewport/legend"));
     view().view = "steps";
     driver.frames(1);
     EXPECT_TRUE(driver.shows("viewport/legend"));
+    view().view = "gradient";
+    driver.frames(1);
+    EXPECT_TRUE(driver.shows("viewport/legend")) << "and to every view of numbers";
+    view().view = "depth";
+    driver.frames(1);
+    EXPECT_FALSE(driver.shows("viewport/legend"));
+}
+
+TEST_F(ViewportTest, converges_on_what_is_clicked_and_only_once)
+{
+    show_picture();
+    driver.readings.depth_at = [](int x, int) { return x < 100 ? std::optional(2.5f) : std::nullopt; };
+    driver.editor.run("stereo.converge");
+    driver.frames(2);
+    glm::vec2 low = driver.editor.rects.find("viewport")->low, size = driver.editor.rects.find("viewport")->high - low;
+    driver.click(low + glm::vec2(0.8f, 0.6f) * size);
+    EXPECT_EQ(view().click, ui::Click::converge) << "there is only sky";
+    EXPECT_EQ(view().convergence, 5);
+    driver.click(low + glm::vec2(0.3f, 0.6f) * size);
+    EXPECT_EQ(view().convergence, 2.5f);
+    EXPECT_EQ(view().click, ui::Click::select);
+}
+
+TEST_F(ViewportTest, asks_for_the_ray_that_is_clicked_until_escape)
+{
+    show_picture();
+    driver.editor.run("field.inspect_ray");
+    driver.frames(2);
+    ui::WidgetRect pane = *driver.editor.rects.find("viewport");
+    driver.click(pane.low + glm::vec2(0.25f, 0.75f) * (pane.high - pane.low));
+    ASSERT_EQ(driver.requests.size(), 1u);
+    const auto* ray = std::get_if<ui::InspectRay>(&driver.requests[0]);
+    ASSERT_TRUE(ray);
+    EXPECT_NEAR(ray->x, 50, 1);
+    EXPECT_NEAR(ray->y, 75, 1);
+    EXPECT_EQ(view().panel, ui::Panel::field);
+    driver.key(ui::key::escape);
+    EXPECT_EQ(view().click, ui::Click::select);
+}
+
+TEST_F(ViewportTest, the_divider_is_dragged_and_does_not_turn_the_eye)
+{
+    show_picture();
+    view().stereo = "dubois";
+    driver.frames(1);
+    EXPECT_FALSE(driver.shows("viewport/divider"));
+    driver.editor.run("stereo.split");
+    driver.frames(2);
+    ViewCamera before = eye();
+    glm::vec2 from = driver.place("viewport/divider");
+    ui::WidgetRect pane = *driver.editor.rects.find("viewport");
+    driver.drag(from, {pane.low.x + 0.25f * (pane.high.x - pane.low.x), from.y});
+    EXPECT_NEAR(view().eyes.divider, 0.25f, 0.01f);
+    EXPECT_EQ(eye(), before);
+    view().stereo = "side-by-side";
+    driver.frames(2);
+    EXPECT_FALSE(driver.shows("viewport/divider"));
+}
+
+TEST_F(ViewportTest, a_slice_is_moved_and_zoomed_about_the_mouse)
+{
+    show_picture();
+    view().view = "slice";
+    driver.frames(2);
+    ui::WidgetRect pane = *driver.editor.rects.find("viewport");
+    glm::vec2 size = pane.high - pane.low, at = glm::floor(pane.low + glm::vec2(0.4f, 0.7f) * size);
+    ViewCamera before = eye();
+    auto under = [&](glm::vec2 place) {
+        return ui::slice_frame(view(), driver.readings).point(place - pane.low, size);
+    };
+    glm::vec3 held = under(at);
+    driver.drag(at, at + glm::vec2(60, -30));
+    expect_near(under(at + glm::vec2(60, -30)), held, 1e-3f);
+    driver.move(at);
+    held = under(at);
+    float height = view().slice.height;
+    driver.wheel(3);
+    EXPECT_LT(view().slice.height, height);
+    expect_near(under(at), held, 1e-3f);
+    EXPECT_EQ(eye(), before);
+}
+
+TEST(SliceFrame, finds_back_where_a_point_lies)
+{
+    ui::ViewState view;
+    ui::Readings readings;
+    auto ray = std::make_shared<ui::RayReading>();
+    ray->origin = {1, 2, 3};
+    ray->direction = glm::normalize(glm::vec3(1, -0.5f, -2));
+    readings.ray = ray;
+    for (const char* plane : {"xy", "yz", "zx", "ray"}) {
+        view.slice = {.plane = plane, .offset = 0.7f, .centre = {0.3f, -0.2f}, .height = 3};
+        ui::SliceFrame frame = ui::slice_frame(view, readings);
+        glm::vec2 at(123, 45), size(640, 360);
+        EXPECT_NEAR(glm::distance(frame.place(frame.point(at, size), size), at), 0, 1e-2f) << plane;
+        EXPECT_NEAR(frame.above(frame.point(at, size)), 0, 1e-5f) << plane;
+    }
+    ui::SliceFrame frame = ui::slice_frame(view, readings);
+    for (float t : {0.0f, 5.0f}) EXPECT_NEAR(frame.above(ray->at(t)), 0, 1e-5f) << "the ray lies in its plane";
 }
 
 TEST_F(ViewportTest, says_that_views_of_data_have_no_stereo)
@@ -457,16 +558,6 @@ TEST(Statistics, are_one_line_in_plain_words)
     picture.exhausted_share = 0.002f;
     EXPECT_EQ(ui::statistics_text(picture),
               "1280 × 720 · cpu · 24.2 ms · 31.4 steps mean, 256 max · 0.200 % out of steps");
-}
-
-TEST(Heatmap, is_the_one_of_the_shaders)
-{
-    // shaders/render/views.glsl at 0, a quarter and 1, worked out from its coefficients.
-    EXPECT_EQ(ui::heatmap(0), IM_COL32(71, 1, 85, 255));
-    EXPECT_EQ(ui::heatmap(-1), ui::heatmap(0));
-    EXPECT_EQ(ui::heatmap(0.25f), IM_COL32(61, 82, 140, 255));
-    EXPECT_EQ(ui::heatmap(1), IM_COL32(251, 231, 34, 255));
-    EXPECT_EQ(ui::heatmap(2), ui::heatmap(1));
 }
 
 }  // namespace

@@ -69,7 +69,8 @@ TEST(IconButtons, each_has_a_tooltip)
 {
     Driver driver(example("profiles"), {1600, 1000});
     std::set<std::string> seen;
-    for (const char* panel : {"materials", "lights", "camera", "cost", "stereo", "shader", "problems", "history"}) {
+    for (const char* panel :
+         {"materials", "lights", "camera", "cost", "field", "stereo", "shader", "problems", "history"}) {
         driver.editor.run(std::string("panel.") + panel);
         driver.frames(3);
         expect_tooltips(driver, seen);

@@ -1,5 +1,6 @@
 // Metallic roughness: A surface described as game engines and glTF do: from matte to mirror-like, plastic or metal.
-// The highlight is that of microfacets (Trowbridge and Reitz), brighter at grazing angles (Schlick).
+// The highlight is that of microfacets (Trowbridge and Reitz), brighter at grazing angles (Schlick). Where the scene has
+// bounces, smooth surfaces mirror what is around them; without, the sky.
 // synonyms: pbr, physically based, metal, ggx, principled, gold, chrome, gltf
 Material metallic_roughness_material(
     vec3 base_colour,  // #d9a441  Colour in white light; of metals, the colour of their reflection.
@@ -10,7 +11,5 @@ Material metallic_roughness_material(
 {
     Material material = make_material(base_colour * (1.0f - metallic), mix(vec3(0.04f), base_colour, metallic), 1.0f,
                                       glow * emission);
-    material.roughness = roughness;
-    material.microfacet = 1.0f;
-    return material;
+    return with_microfacets(material, roughness);
 }

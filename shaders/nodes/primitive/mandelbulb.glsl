@@ -6,7 +6,8 @@ float mandelbulb_distance(
     vec3 p,
     float radius,    // 0.8 [0.001, 100] [0.05, 5] m  Radius of the ball that the fractal is drawn in; buds reach a little farther.
     float power,     // 8.0 [2, 16] [2, 12]  Power the points are raised to: the number of buds around, and one.
-    int iterations)  // 3 [1, 12] [1, 6]  How many powers are taken: more show finer buds.
+    int iterations,  // 3 [1, 12] [1, 6]  How many powers are taken: more show finer buds.
+    float detail)    // 0.006 [0, 10] [0, 0.1] m  Buds finer than this melt together; about the size of a pixel leaves no grain.
 {
     vec3 place = p / radius;
     vec3 z = place;
@@ -27,10 +28,10 @@ float mandelbulb_distance(
     // Nothing lies beyond 1.25; far away the estimate would overshoot.
     float ball = length(place) - 1.25f;
     float estimate = 0.5f * log(max(r, 1.0e-6f)) * r / slope;
-    return radius * (ball > 0.75f ? ball : max(ball, estimate));
+    return radius * (ball > 0.75f ? ball : max(ball, estimate)) - detail;
 }
 
-Box mandelbulb_bounds(float radius)
+Box mandelbulb_bounds(float radius, float detail)
 {
-    return make_box(vec3(0.0f), vec3(1.25f * radius));
+    return make_box(vec3(0.0f), vec3(1.25f * radius + detail));
 }

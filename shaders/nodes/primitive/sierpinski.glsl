@@ -33,7 +33,7 @@ vec3 sierpinski_upright(vec3 p)
 float sierpinski_distance(
     vec3 p,
     float radius,  // 1.0 [0.001, 100] [0.05, 5] m  Distance from the centre to the four corners.
-    int levels)    // 5 [0, 10] [0, 8]  How often each tetrahedron is divided.
+    int levels)    // 4 [0, 10] [0, 8]  How often each tetrahedron is divided.
 {
     float scale = 0.57735027f * radius;
     vec3 q = sierpinski_fold(sierpinski_upright(p / scale));

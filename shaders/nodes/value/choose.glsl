@@ -1,5 +1,5 @@
 // Switch: One of two numbers, as a third one tells.
-// synonyms: choose, if, select, condition, ternary, logic
+// synonyms: if, select, either, condition, ternary, logic
 float choose_value(
     float choice,  // 0.0 [-1000000, 1000000] [-10, 10]  Below a half the first number is taken, else the second.
     float first,   // 0.0 [-1000000, 1000000] [-10, 10]  Number that is taken below a half.

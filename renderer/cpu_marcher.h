@@ -1,0 +1,51 @@
+// Probes of a pool, marched 256 at a time by one thread.
+#pragma once
+
+#include "renderer/cpu_scene.h"
+
+#include <chrono>
+#include <span>
+#include <vector>
+
+namespace fieldwright::renderer {
+
+// Lanes a whole number of pages apart would share a few places of the cache.
+inline constexpr int tile_width = 64, tile_height = 32;  // px, at most
+inline constexpr int pool_capacity = tile_width * tile_height + 16;
+
+using Pixels = std::span<const int>;  // of a tile: x + y * width
+
+// An evaluator with one thread's rows.
+struct Stage {
+    Stage(const field::Evaluator& evaluator, const std::vector<float>& block);
+    void operator()(Rows& result, const Rows& input, int count);
+
+    const field::Evaluator& evaluator;
+    const std::vector<float>& block;
+    field::Evaluator::Workspace workspace;
+};
+
+class CpuMarcher {
+public:
+    explicit CpuMarcher(const CpuScene& scene);
+
+    // Walks the waiting pixels' probes to their end. `sides`, by pixel: factors on the distances. False when the watch
+    // cancelled it.
+    bool march(Rows& probes, const Rows* sides, Pixels waiting, const Watch& watch);
+    std::int64_t evaluations() const { return evaluations_; }  // of the field so far
+
+private:
+    bool stops(const Watch& watch);
+    void take_waiting(const Rows& probes, const Rows* sides, Pixels& waiting, int to);
+    int step(int active, bool has_sides);
+    int replace_done(Rows& probes, const Rows* sides, Pixels& waiting, int active);
+
+    const CpuScene& scene_;
+    Stage distance_;
+    Rows marching_, advanced_, narrowed_, point_, d_, done_, side_;  // by lane of the batch
+    std::vector<int> pixel_of_;
+    std::int64_t evaluations_ = 0;
+    std::chrono::steady_clock::time_point last_asked_;
+};
+
+}  // namespace fieldwright::renderer

@@ -1,0 +1,117 @@
+// What a scene does not use is not in its shader's text.
+#include "codegen/features.h"
+#include "codegen/glsl.h"
+#include "field/evaluator.h"
+#include "graph/shader_parts.h"
+#include "tests/support/glslang.h"
+#include "tests/support/scene.h"
+
+#include <gtest/gtest.h>
+
+namespace fieldwright::tests {
+namespace {
+
+using codegen::Placement;
+
+std::string text_of(const Scene& scene, bool layers = false)
+{
+    graph::Program program = scene.program();
+    return codegen::print_fragment_shader(program, field::evaluate_frame(program, 0), Placement::buffer, layers);
+}
+
+// A sphere of one material.
+Scene ball(std::string_view material, std::initializer_list<Scene::Setting> settings = {})
+{
+    Scene s;
+    s.show(s.node("paint", {{"d", s.node("sphere")}, {"material", s.node(material, settings)}}));
+    return s;
+}
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+TEST(ShaderParts, keep_what_is_wanted_and_no_directive)
+{
+    std::string_view text = "a\n#if X\nb\n#if Y\nc\n#endif\n#else\nd\n#endif\ne";
+    EXPECT_EQ(graph::with_parts(text, {}), "a\nd\ne");
+    EXPECT_EQ(graph::with_parts(text, {"X"}), "a\nb\ne");
+    EXPECT_EQ(graph::with_parts(text, {"X", "Y"}), "a\nb\nc\ne");
+    EXPECT_EQ(graph::line_of_whole(text, {}, 2), 8) << "d";
+    EXPECT_EQ(graph::line_of_whole(text, {"X", "Y"}, 4), 10) << "e";
+    EXPECT_EQ(codegen::parts_of_shader(codegen::parts_comment({"X", "Y"}) + text.data()),
+              (graph::ShaderParts{"X", "Y"}));
+    EXPECT_EQ(graph::with_all_parts(text), "a\n\nb\n\nc\n\n\n\n\ne");
+}
+
+TEST(Features, of_a_painted_ball_are_none)
+{
+    Scene s = ball("phong");
+    std::string text = text_of(s);
+    for (std::string_view word :
+         {"Bounce", "microfacet_highlight", "roughness;", "transmission;", "Fog", "Layers", "#if"})
+        EXPECT_FALSE(has(text, word)) << word;
+}
+
+TEST(Features, bounces_cost_nothing_where_nothing_mirrors)
+{
+    Scene s = ball("phong");
+    std::string before = text_of(s);
+    s.document.bounces = 8;
+    EXPECT_EQ(text_of(s), before);
+}
+
+TEST(Features, bounces_are_in_the_text_where_something_mirrors)
+{
+    for (auto make : {+[] {
+                          return ball("phong", {{"reflection", 0.1f}});
+                      },
+                      +[] { return ball("glass"); }, +[] { return ball("metallic_roughness"); }}) {
+        Scene s = make();
+        EXPECT_FALSE(has(text_of(s), "mirrored_bounce("));
+        s.document.bounces = 3;
+        std::string text = text_of(s);
+        EXPECT_TRUE(has(text, "mirrored_bounce("));
+        EXPECT_TRUE(has(text, "const int BOUNCES = 3;"));
+    }
+}
+
+TEST(Features, a_mirror_is_dragged_without_a_change_of_the_text)
+{
+    Scene weak = ball("phong", {{"reflection", 0.1f}}), strong = ball("phong", {{"reflection", 0.7f}});
+    weak.document.bounces = strong.document.bounces = 2;
+    EXPECT_EQ(text_of(weak), text_of(strong));
+}
+
+TEST(Features, fog_is_in_the_text_only_when_there_is_any)
+{
+    Scene s = ball("phong");
+    std::string before = text_of(s);
+    s.document.fog.colour = glm::vec3(1, 0, 0);
+    s.document.fog.start = 3;
+    EXPECT_EQ(text_of(s), before);
+    s.document.fog.density = 0.1f;
+    std::string foggy = text_of(s);
+    EXPECT_TRUE(has(foggy, "fog_transmittance"));
+    s.document.fog.density = 0.2f;
+    EXPECT_EQ(text_of(s), foggy);
+}
+
+TEST(Features, in_all_combinations_give_valid_shaders_and_exports)
+{
+    std::vector<std::string> shaders;
+    for (std::string_view material : {"phong", "glass", "metallic_roughness"})
+        for (int bounces : {0, 2})
+            for (float density : {0.0f, 0.1f}) {
+                Scene s = ball(material);
+                s.node("sun");
+                s.document.bounces = bounces;
+                s.document.fog.density = density;
+                graph::Program program = s.program();
+                for (bool layers : {false, true}) shaders.push_back(text_of(s, layers));
+                shaders.push_back(
+                    codegen::print_export(program, s.document, field::evaluate_frame(program, 0), "glsl"));
+            }
+    EXPECT_EQ(glslang_errors(shaders), "");
+}
+
+}  // namespace
+}  // namespace fieldwright::tests
