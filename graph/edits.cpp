@@ -297,40 +297,39 @@ Refusal set_muted(Document& document, NodeId id, bool muted)
     return refusal;
 }
 
+namespace {
+
+template <typename Settings>
+Refusal replace_settings(Settings& kept, const Settings& settings)
+{
+    Refusal refusal = setting_refusal(setting_error(settings));
+    if (!refusal) kept = settings;
+    return refusal;
+}
+
+}  // namespace
+
 Refusal set_march(Document& document, const MarchSettings& settings)
 {
-    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
-    document.march = settings;
-    return std::nullopt;
+    return replace_settings(document.march, settings);
 }
 
 Refusal set_occlusion(Document& document, const OcclusionSettings& settings)
 {
-    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
-    document.occlusion = settings;
-    return std::nullopt;
+    return replace_settings(document.occlusion, settings);
 }
 
 Refusal set_picture(Document& document, const PictureSettings& settings)
 {
-    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
-    document.picture = settings;
-    return std::nullopt;
+    return replace_settings(document.picture, settings);
 }
 
 Refusal set_animation(Document& document, const AnimationSettings& settings)
 {
-    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
-    document.animation = settings;
-    return std::nullopt;
+    return replace_settings(document.animation, settings);
 }
 
-Refusal set_fog(Document& document, const FogSettings& settings)
-{
-    if (Refusal refusal = setting_refusal(setting_error(settings))) return refusal;
-    document.fog = settings;
-    return std::nullopt;
-}
+Refusal set_fog(Document& document, const FogSettings& settings) { return replace_settings(document.fog, settings); }
 
 Refusal set_bounces(Document& document, int bounces)
 {
