@@ -47,18 +47,19 @@ Rows fog_rows(const graph::Program& program)
     return rows;
 }
 
-Rows camera_rows(const graph::Library& library, const ViewCamera& camera)
+Rows view_rows(const graph::Library& library, const Viewpoint& view)
 {
-    Rows rows(structure_lanes(library, "ViewCamera"));
-    auto lane = [&](std::string_view member) { return member_lane(library, "ViewCamera", member); };
+    Rows rows(structure_lanes(library, "Viewpoint"));
+    auto lane = [&](std::string_view member) { return member_lane(library, "Viewpoint", member); };
     auto set = [&](std::string_view member, const glm::vec3& value) {
         for (int k = 0; k < 3; ++k) rows.fill(lane(member) + k, value[k]);
     };
-    set("position", camera.position);
-    set("target", camera.target);
-    set("up", camera.up);
-    rows.fill(lane("field_of_view"), camera.field_of_view_rad);
-    rows.fill(lane("orthographic_height"), camera.orthographic_height);
+    set("position", view.position);
+    set("forward", view.forward);
+    set("right", view.right);
+    set("upward", view.upward);
+    rows.fill(lane("slope"), view.slope);
+    rows.fill(lane("half_height"), view.half_height);
     return rows;
 }
 
@@ -162,7 +163,7 @@ CpuScene::CpuScene(const graph::Program& program, const FrameRequest& frame_requ
       refracted_bounce("refracted_bounce", table),
       fog_transmittance("fog_transmittance", table)
 {
-    if (request.camera) view_camera = camera_rows(*program.library, *request.camera);
+    if (request.camera) view = view_rows(*program.library, viewpoint_of(*request.camera));
 }
 
 }  // namespace fieldwright::renderer

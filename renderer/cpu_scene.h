@@ -37,7 +37,7 @@ struct CpuScene {
     std::vector<Rows> shadows;             // by light: the kind of its shadow, spread over a row
 
     Rows march, fog, budget, bounces, overhead, eye, interaxial, convergence, toe_in;  // constants, spread over a row
-    std::optional<Rows> view_camera;                                                   // when the request has one
+    std::optional<Rows> view;                                                          // when the request has one
     RowFunction view_ray, stereo_ray, eye_probe, shadow_probe, probe_point, advance, narrowed, probe_done, probe_missed,
         shadow_visibility, probe_normal, ambient_spread, ambient_direction, shade_ambient, shade_light, shade_diffuse,
         shade_specular;

@@ -157,7 +157,7 @@ void TileRenderer::start_eyes(const Area& area)
             uv.lane(0)[i] = (2.0f * (static_cast<float>(x) + 0.5f + offset.x) - width) / height;
             uv.lane(1)[i] = (2.0f * (height - static_cast<float>(y) - 0.5f + offset.y) - height) / height;
         }
-        if (scene_.view_camera) scene_.view_ray(camera_ray, size(batch), uv, *scene_.view_camera);
+        if (scene_.view) scene_.view_ray(camera_ray, size(batch), uv, *scene_.view);
         else ray_(camera_ray, uv, size(batch));
         scene_.stereo_ray(ray, size(batch), camera_ray, scene_.eye, scene_.interaxial, scene_.convergence,
                           scene_.toe_in);

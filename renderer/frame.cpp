@@ -1,11 +1,31 @@
 // What both devices need to know of a request, and buffers of a size.
 #include "renderer/frame.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace fieldwright::renderer {
 
 float eye_side(Eye eye) { return eye == Eye::left ? -1.0f : (eye == Eye::right ? 1.0f : 0.0f); }
+
+Viewpoint viewpoint_of(const ViewCamera& camera)
+{
+    Viewpoint view{.position = camera.position};
+    glm::vec3 way = camera.target - camera.position;
+    float far_away = glm::length(way);
+    view.forward = far_away > 1e-6f ? way / far_away : glm::vec3(0, 0, -1);
+    // Along `up` there is no level direction across the view; x serves.
+    glm::vec3 level = glm::cross(view.forward, camera.up);
+    float levelness = glm::length(level);
+    view.right = levelness > 1e-5f ? level / levelness : glm::vec3(1, 0, 0);
+    view.upward = glm::cross(view.right, view.forward);
+    bool perspective = camera.orthographic_height <= 0;
+    view.slope = perspective ? std::tan(0.5f * camera.field_of_view_rad) : 0;
+    view.half_height = perspective ? 0 : 0.5f * camera.orthographic_height;
+    return view;
+}
 
 Area drawn_area(const FrameRequest& request)
 {

@@ -132,11 +132,13 @@ void set_view(const Shader& shader, const FrameRequest& request)
     shader.set("toe_in", request.toe_in ? 1.0f : 0.0f);
     shader.set("has_view", request.camera ? 1 : 0);
     if (!request.camera) return;
-    shader.set("view.position", request.camera->position);
-    shader.set("view.target", request.camera->target);
-    shader.set("view.up", request.camera->up);
-    shader.set("view.field_of_view", request.camera->field_of_view_rad);
-    shader.set("view.orthographic_height", request.camera->orthographic_height);
+    Viewpoint view = viewpoint_of(*request.camera);
+    shader.set("view.position", view.position);
+    shader.set("view.forward", view.forward);
+    shader.set("view.right", view.right);
+    shader.set("view.upward", view.upward);
+    shader.set("view.slope", view.slope);
+    shader.set("view.half_height", view.half_height);
 }
 
 // A driver that reset the GPU leaves pixels that mean nothing.

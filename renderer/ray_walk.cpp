@@ -22,7 +22,7 @@ WorldRay ray_of_pixel(const graph::Program& program, const FrameRequest& request
     Rows uv(4), camera_ray(scene.lanes.ray), ray(scene.lanes.ray);
     uv.lane(0)[0] = (2 * (static_cast<float>(pixel.x) + 0.5f) - width) / height;
     uv.lane(1)[0] = (height - 2 * (static_cast<float>(pixel.y) + 0.5f)) / height;
-    if (scene.view_camera) scene.view_ray(camera_ray, 1, uv, *scene.view_camera);
+    if (scene.view) scene.view_ray(camera_ray, 1, uv, *scene.view);
     else Stage(scene.ray, scene.block)(camera_ray, uv, 1);
     scene.stereo_ray(ray, 1, camera_ray, scene.eye, scene.interaxial, scene.convergence, scene.toe_in);
     return {ray.vec3(0, 0), ray.vec3(scene.lanes.ray_direction, 0)};

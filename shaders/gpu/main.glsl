@@ -15,7 +15,7 @@ uniform float interaxial;
 uniform float convergence;
 uniform float toe_in;     // 1: the eyes turn, else off-axis
 uniform bool has_view;    // else the scene's camera
-uniform ViewCamera view;
+uniform Viewpoint view;
 
 #if LAYERS
 // Eight buffers are all that GL 3.3 promises: the colour is the sum of its layers, the normal stands as two numbers.
