@@ -40,7 +40,7 @@ public:
         : call_(call), kernel_(field::find_kernel(field::kernels(), call.function->name)->varying)
     {
         for (std::size_t i = 0; i < call.function->arguments.size(); ++i) {
-            graph::ValueId value = program.arguments[static_cast<std::size_t>(call.first_argument) + i];
+            graph::ValueId value = arguments_of(program, call)[i];
             const graph::ProgramValue& known = program.values[static_cast<std::size_t>(value)];
             rows_.emplace_back();
             if (call.function->arguments[i].role != graph::Role::parameter) continue;

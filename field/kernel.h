@@ -2,12 +2,14 @@
 // instruction set; the evaluator picks the widest the machine runs.
 #pragma once
 
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <string_view>
 
 namespace fieldwright::field {
 
-inline constexpr int row_width = 256;  // points per row
+inline constexpr int row_width = 256;             // points per row
+inline constexpr std::size_t max_arguments = 32;  // of a function
 
 // Rows are structure of arrays: lane k of a value lies at data + k * row_width. Structures are their members' lanes in
 // declaration order; ints and bools are stored as floats; a List is (first, count) and always uniform.

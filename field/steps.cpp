@@ -63,27 +63,17 @@ private:
         return items;
     }
 
-    std::span<const ValueId> arguments_of(const Instruction& call) const
-    {
-        return std::span(program_.arguments).subspan(index(call.first_argument), index(call.argument_count));
-    }
-
-    std::span<const graph::Carried> carried_of(const Instruction& block) const
-    {
-        return std::span(program_.carried).subspan(index(block.first_carried), index(block.carried_count));
-    }
-
     // A block's use of its own accumulators is nobody else's.
     template <typename Visit>
     void for_each_use(const Item& item, const Visit& visit) const
     {
         if (!item.instruction || !item.instruction->is_block()) {
             if (item.instruction)
-                for (ValueId id : arguments_of(*item.instruction)) visit(id);
+                for (ValueId id : arguments_of(program_, *item.instruction)) visit(id);
             for (const Item& inner : item.body) for_each_use(inner, visit);
             return;
         }
-        std::span<const graph::Carried> carried = carried_of(*item.instruction);
+        std::span<const graph::Carried> carried = carried_of(program_, *item.instruction);
         auto visit_outer = [&](ValueId id) {
             auto is_own = [&](const graph::Carried& pair) { return pair.accumulator == id; };
             if (std::none_of(carried.begin(), carried.end(), is_own)) visit(id);
@@ -97,7 +87,7 @@ private:
         if (!item.instruction) return {plan_.guards[index(item.guard)].guarded};
         if (!item.instruction->is_block()) return {item.instruction->result};
         std::vector<ValueId> results;
-        for (const graph::Carried& pair : carried_of(*item.instruction)) results.push_back(pair.accumulator);
+        for (const graph::Carried& pair : carried_of(program_, *item.instruction)) results.push_back(pair.accumulator);
         return results;
     }
 
@@ -132,7 +122,7 @@ private:
             if (is_union(item)) roots.push_back(item.instruction->result);
         for (const Item& item : items) {
             if (!is_union(item)) continue;
-            for (ValueId id : arguments_of(*item.instruction))
+            for (ValueId id : arguments_of(program_, *item.instruction))
                 if (uses_[index(id)] == 1) std::erase(roots, id);
         }
         for (ValueId root : roots) guard_union(items, root);
@@ -151,7 +141,7 @@ private:
         std::vector<Part> parts;
         std::vector<ValueId> rivals;
         for (std::size_t next = 0; next < unions.size(); ++next)
-            for (ValueId leaf : arguments_of(*items[unions[next]].instruction)) {
+            for (ValueId leaf : arguments_of(program_, *items[unions[next]].instruction)) {
                 auto producer = producers.find(leaf);
                 bool alone = producer != producers.end() && uses_[index(leaf)] == 1;
                 if (alone && is_union(items[producer->second])) unions.push_back(producer->second);
@@ -251,7 +241,7 @@ ValueId argument_named(const Program& program, const Instruction& call, std::str
 {
     const std::vector<graph::Argument>& arguments = call.function->arguments;
     for (std::size_t k = 0; k < arguments.size(); ++k)
-        if (arguments[k].name == name) return program.arguments[index(call.first_argument) + k];
+        if (arguments[k].name == name) return arguments_of(program, call)[k];
     return graph::no_value;
 }
 

@@ -95,6 +95,18 @@ struct Program {
     std::vector<InnerCopy> inner_copies;  // what the ids of nodes stand for that the scene itself does not have
 };
 
+inline std::span<const ValueId> arguments_of(const Program& program, const Instruction& call)
+{
+    return std::span(program.arguments)
+        .subspan(static_cast<std::size_t>(call.first_argument), static_cast<std::size_t>(call.argument_count));
+}
+
+inline std::span<const Carried> carried_of(const Program& program, const Instruction& block)
+{
+    return std::span(program.carried)
+        .subspan(static_cast<std::size_t>(block.first_carried), static_cast<std::size_t>(block.carried_count));
+}
+
 float step_scale(const MarchSettings& march);  // 1 when derived
 int shadow_count(const Program& program);      // lights that cast shadows; they come first
 // Whether the march must keep the smallest ratio of distance and way along its rays.

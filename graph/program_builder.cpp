@@ -147,23 +147,14 @@ void ProgramBuilder::end_block(std::size_t block, std::span<const Carried> carri
     program_.carried.insert(program_.carried.end(), carried.begin(), carried.end());
 }
 
-std::span<const Carried> ProgramBuilder::carried_of(const Instruction& block) const
-{
-    return std::span(program_.carried)
-        .subspan(static_cast<std::size_t>(block.first_carried), static_cast<std::size_t>(block.carried_count));
-}
-
 // By value: whether one of `results` depends on it.
 std::vector<bool> ProgramBuilder::needed_for(std::span<const ValueId> results) const
 {
     std::vector<std::span<const ValueId>> arguments(program_.values.size());  // of what computes a value
     for (const Instruction& instruction : sequence_) {
         if (!instruction.is_block())
-            arguments[static_cast<std::size_t>(instruction.result)] =
-                std::span(program_.arguments)
-                    .subspan(static_cast<std::size_t>(instruction.first_argument),
-                             static_cast<std::size_t>(instruction.argument_count));
-        for (const Carried& pair : carried_of(instruction))
+            arguments[static_cast<std::size_t>(instruction.result)] = arguments_of(program_, instruction);
+        for (const Carried& pair : carried_of(program_, instruction))
             arguments[static_cast<std::size_t>(pair.accumulator)] = {&pair.next, 1};
     }
     std::vector<bool> needed(program_.values.size(), false);

@@ -70,7 +70,6 @@ private:
     std::int32_t take_slot(int lanes);
     std::vector<bool> needed_for(std::span<const ValueId> results) const;
     void keep_carried(Instruction& block, const std::vector<bool>& needed);
-    std::span<const Carried> carried_of(const Instruction& block) const;
 
     Program program_;
     std::vector<bool> point_dependent_;  // by value: varies with p itself, not only with the cell or the copy

@@ -26,8 +26,8 @@ struct ViewCamera {
 // The same for the shading library (render/view.glsl).
 struct Viewpoint {
     glm::vec3 position{0}, forward{0}, right{0}, upward{0};  // m, and three unit vectors
-    float slope = 0;        // of rays at the upper edge, of a perspective view
-    float half_height = 0;  // m, of an orthographic view
+    float slope = 0;                                         // of rays at the upper edge, of a perspective view
+    float half_height = 0;                                   // m, of an orthographic view
 };
 
 Viewpoint viewpoint_of(const ViewCamera& camera);
