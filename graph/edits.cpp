@@ -103,49 +103,6 @@ int upstream_dimension(const Graph& graph, const Library& library, NodeId start)
     return 0;
 }
 
-Refusal setting_refusal(const std::optional<SettingError>& error)
-{
-    if (!error) return std::nullopt;
-    return titled(in_words(error->name)) + " " + error->what;
-}
-
-Refusal name_error(std::string_view name)
-{
-    if (name.size() > name_limit) return "a node's name has at most 256 bytes; shorten it";
-    if (!is_utf8(name)) return "a node's name must be UTF-8 text";
-    return std::nullopt;
-}
-
-// Parameters of a known type: all there, in order, in range.
-Refusal parameters_error(const Node& node, const NodeType& type)
-{
-    std::size_t count = 0;
-    for (const Parameter& parameter : type.parameters) {
-        if (parameter.kind == ParameterKind::material) continue;
-        if (count == node.parameters.size() || node.parameters[count].first != parameter.name)
-            return described(node) + " lacks its parameter `" + parameter.name + "`";
-        std::string error = value_error(parameter, node.parameters[count++].second);
-        if (!error.empty()) return "`" + parameter.name + "` of " + described(node) + " " + error;
-    }
-    if (count != node.parameters.size()) return described(node) + " has a parameter too many";
-    return std::nullopt;
-}
-
-Refusal node_error(const Document& document, const Library& library, const Node& node)
-{
-    if (node.id.number < 1 || node.id.number >= document.next_id)
-        return described(node) + " has an id outside 1 .. next_id - 1";
-    if (Refusal error = name_error(node.name)) return described(node) + ": " + *error;
-    if (!is_finite(node.position)) return described(node) + " has a position that is not finite";
-    auto not_before = [](const auto& a, const auto& b) { return a.first >= b.first; };
-    if (std::adjacent_find(node.inputs.begin(), node.inputs.end(), not_before) != node.inputs.end())
-        return described(node) + " has inputs that are not sorted by name";
-    const NodeType* type = library.type(node.type);
-    if (!type) return node.unknown_source.empty() ? Refusal(described(node) + " is of an unknown type") : std::nullopt;
-    if (!node.unknown_source.empty()) return described(node) + " is of a known type but kept as text";
-    return parameters_error(node, *type);
-}
-
 void assign_input(Node& node, std::string_view socket, NodeId source)
 {
     auto place = input_place(node, socket);
@@ -173,6 +130,13 @@ Refusal new_wires_error(const Document& document, const Library& library, const 
 }
 
 }  // namespace
+
+Refusal node_name_error(std::string_view name)
+{
+    if (name.size() > name_limit) return "a node's name has at most 256 bytes; shorten it";
+    if (!is_utf8(name)) return "a node's name must be UTF-8 text";
+    return std::nullopt;
+}
 
 NodeId add_node(Document& document, const Library& library, std::string_view type_name, glm::vec2 position)
 {
@@ -274,7 +238,7 @@ Refusal rename_node(Document& document, NodeId id, std::string_view name)
     Refusal refusal;
     Node* node = editable(document, id, refusal);
     if (!node) return refusal;
-    if ((refusal = name_error(name))) return refusal;
+    if ((refusal = node_name_error(name))) return refusal;
     node->name = name;
     return std::nullopt;
 }
@@ -358,77 +322,6 @@ Refusal wire_error(const Document& document, const Library& library, NodeId sour
     int taken = dimension_of(target_type->input(socket)->kind);
     return dimension_error({from, source_type}, field_dimension(document, library, source), {to, target_type},
                            taken ? taken : field_dimension(document, library, target), socket);
-}
-
-std::vector<NodeId> find_cycle(const Graph& graph)
-{
-    enum class Mark : char { fresh, open, done };
-    struct Step {
-        std::size_t node, input;
-    };
-    std::vector<Mark> marks(graph.nodes.size(), Mark::fresh);
-    std::vector<Step> path;  // from a node up to what it is made of
-    for (std::size_t start = 0; start < graph.nodes.size(); ++start) {
-        if (marks[start] == Mark::fresh) path.push_back({start, 0}), marks[start] = Mark::open;
-        while (!path.empty()) {
-            Step& step = path.back();
-            const Node& node = graph.nodes[step.node];
-            if (step.input == node.inputs.size()) {
-                marks[step.node] = Mark::done;
-                path.pop_back();
-                continue;
-            }
-            const Node* source = graph.find(node.inputs[step.input++].second);
-            if (!source) continue;
-            auto index = static_cast<std::size_t>(source - graph.nodes.data());
-            if (marks[index] == Mark::open) {
-                std::vector<NodeId> cycle;
-                for (auto it = path.rbegin(); cycle.empty() || cycle.back() != source->id; ++it)
-                    cycle.push_back(graph.nodes[it->node].id);
-                return cycle;
-            }
-            if (marks[index] == Mark::fresh) path.push_back({index, 0}), marks[index] = Mark::open;
-        }
-    }
-    return {};
-}
-
-namespace {
-
-Refusal graph_error(const Document& document, const Library& library, const Graph& graph)
-{
-    auto unordered = [](const Node& a, const Node& b) { return a.id >= b.id; };
-    if (std::adjacent_find(graph.nodes.begin(), graph.nodes.end(), unordered) != graph.nodes.end())
-        return "the nodes are not sorted by id, each once";
-    for (const Node& node : graph.nodes)
-        if (Refusal refusal = node_error(document, library, node)) return refusal;
-    if (Refusal refusal = WireRules(graph, library, Wording::file).add_all()) return refusal;
-    if (std::vector<NodeId> cycle = find_cycle(graph); !cycle.empty())
-        return "the wires " + cycle_text(cycle) + " make a cycle; remove one of them";
-    return std::nullopt;
-}
-
-}  // namespace
-
-Refusal validate(const Document& document, const Library& library)
-{
-    if (Refusal refusal = setting_refusal(setting_error(document.march))) return refusal;
-    if (Refusal refusal = setting_refusal(setting_error(document.occlusion))) return refusal;
-    if (Refusal refusal = setting_refusal(setting_error(document.picture))) return refusal;
-    if (Refusal refusal = setting_refusal(setting_error(document.animation))) return refusal;
-    if (Refusal refusal = setting_refusal(setting_error(document.fog))) return refusal;
-    if (Refusal refusal = setting_refusal(bounces_error(document.bounces))) return refusal;
-    auto names_unordered = [](const OwnType& a, const OwnType& b) { return a.name >= b.name; };
-    const std::vector<OwnType>& types = document.own_types;
-    if (std::adjacent_find(types.begin(), types.end(), names_unordered) != types.end())
-        return "the own types are not sorted by name, each once";
-    if (document.groups.empty()) return graph_error(document, library, document.root);
-    std::shared_ptr<const Library> own = with_groups(library, document);
-    if (Refusal refusal = groups_error(document, *own)) return refusal;
-    for (const Group& group : document.groups)
-        if (Refusal refusal = graph_error(document, *own, group.graph))
-            return "group " + in_quotes(group.name) + ": " + *refusal;
-    return graph_error(document, *own, document.root);
 }
 
 int field_dimension(const Document& document, const Library& library, NodeId id)

@@ -31,6 +31,7 @@ Refusal connect_all(Document& document, const Library& library, const std::vecto
 Refusal remove_nodes(Document& document, const std::set<NodeId>& nodes);
 
 Refusal set_parameter(Document& document, const Library& library, NodeId node, std::string_view name, Value value);
+Refusal node_name_error(std::string_view name);
 Refusal rename_node(Document& document, NodeId node, std::string_view name);  // UTF-8, at most 256 bytes
 Refusal move_node(Document& document, NodeId node, glm::vec2 position);
 Refusal set_muted(Document& document, NodeId node, bool muted);
@@ -44,8 +45,6 @@ Refusal set_bounces(Document& document, int bounces);
 // Why a wire is not allowed in this document, or nothing. `connect` and the file reader share it (cycles excluded).
 Refusal wire_error(const Document& document, const Library& library, NodeId source, NodeId target,
                    std::string_view socket);
-// Nodes of a cycle in order, or empty. O(nodes + wires).
-std::vector<NodeId> find_cycle(const Graph& graph);
 // Checks what every document promises: ids, types, ranges, wires, acyclic. First broken promise, or nothing.
 Refusal validate(const Document& document, const Library& library);
 // 2, 3 or 0 (undecided: combiners without inputs) for a field node.

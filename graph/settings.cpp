@@ -2,6 +2,7 @@
 #include "graph/settings.h"
 
 #include "graph/json.h"
+#include "graph/words.h"
 
 namespace fieldwright::graph {
 namespace {
@@ -71,6 +72,12 @@ std::optional<SettingError> setting_error(const AnimationSettings& settings)
     if (settings.first_frame > settings.last_frame)
         return SettingError{"first_frame", "must not come after the last frame"};
     return std::nullopt;
+}
+
+std::optional<std::string> setting_refusal(const std::optional<SettingError>& error)
+{
+    if (!error) return std::nullopt;
+    return titled(in_words(error->name)) + " " + error->what;
 }
 
 }  // namespace fieldwright::graph

@@ -151,6 +151,8 @@ std::optional<SettingError> setting_error(const FogSettings& settings);
 std::optional<SettingError> bounces_error(int bounces);
 std::optional<SettingError> setting_error(const PictureSettings& settings);
 std::optional<SettingError> setting_error(const AnimationSettings& settings);
+// The same as a sentence without its full stop, or nothing.
+std::optional<std::string> setting_refusal(const std::optional<SettingError>& error);
 
 // The moment that a frame shows, in seconds.
 inline float time_of_frame(const AnimationSettings& animation, int frame)

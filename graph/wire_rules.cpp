@@ -153,6 +153,39 @@ std::string parameter_names(const NodeType& type)
     return joined(names);
 }
 
+std::vector<NodeId> find_cycle(const Graph& graph)
+{
+    enum class Mark : char { fresh, open, done };
+    struct Step {
+        std::size_t node, input;
+    };
+    std::vector<Mark> marks(graph.nodes.size(), Mark::fresh);
+    std::vector<Step> path;  // from a node up to what it is made of
+    for (std::size_t start = 0; start < graph.nodes.size(); ++start) {
+        if (marks[start] == Mark::fresh) path.push_back({start, 0}), marks[start] = Mark::open;
+        while (!path.empty()) {
+            Step& step = path.back();
+            const Node& node = graph.nodes[step.node];
+            if (step.input == node.inputs.size()) {
+                marks[step.node] = Mark::done;
+                path.pop_back();
+                continue;
+            }
+            const Node* source = graph.find(node.inputs[step.input++].second);
+            if (!source) continue;
+            auto index = static_cast<std::size_t>(source - graph.nodes.data());
+            if (marks[index] == Mark::open) {
+                std::vector<NodeId> cycle;
+                for (auto it = path.rbegin(); cycle.empty() || cycle.back() != source->id; ++it)
+                    cycle.push_back(graph.nodes[it->node].id);
+                return cycle;
+            }
+            if (marks[index] == Mark::fresh) path.push_back({index, 0}), marks[index] = Mark::open;
+        }
+    }
+    return {};
+}
+
 std::string cycle_text(const std::vector<NodeId>& cycle)
 {
     std::string text;

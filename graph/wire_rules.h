@@ -51,6 +51,8 @@ std::string described(const Node& node);
 // "`a`, `b`"; "none" when there are none.
 std::string socket_names(const NodeType& type);
 std::string parameter_names(const NodeType& type);
+// Nodes of a cycle in order, or empty. O(nodes + wires).
+std::vector<NodeId> find_cycle(const Graph& graph);
 // "3 -> 5 -> 3", along the flow; long cycles are cut.
 std::string cycle_text(const std::vector<NodeId>& cycle);
 

@@ -1,5 +1,6 @@
 // Edits: what they do, what they refuse, and that a refusal changes nothing.
 #include "graph/edits.h"
+#include "graph/wire_rules.h"
 
 #include "tests/graph/small_library.h"
 
