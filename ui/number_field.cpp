@@ -127,21 +127,6 @@ bool type(FrameContext& frame, const ImRect& box, const char* name_id, std::stri
     return value != before;
 }
 
-// The text with as many decimals as fit.
-std::string shown_text(double value, const NumberStyle& style, float room_px)
-{
-    std::string suffix = style.show_unit ? unit_suffix(style.unit) : "";
-    int decimals = shown_decimals(style);
-    std::string number = style.whole ? number_text(std::round(value), 0) : number_text(value, decimals);
-    if (ImGui::CalcTextSize((number + suffix).c_str()).x <= room_px) return number + suffix;
-    for (int places = decimals; ImGui::CalcTextSize(number.c_str()).x > room_px && places >= 0; --places) {
-        char text[48];
-        std::snprintf(text, sizeof text, "%.*f", places, value);
-        number = text;
-    }
-    return ImGui::CalcTextSize(number.c_str()).x <= room_px ? number : fitted(number, room_px);
-}
-
 void draw_fill(const FrameContext& frame, const ImRect& box, double value, const NumberStyle& style)
 {
     auto share = [&](double v) { return std::clamp((v - style.soft_minimum) / span_of(style), 0.0, 1.0); };
@@ -169,7 +154,7 @@ void draw_number(const FrameContext& frame, const ImRect& box, ImGuiID id, doubl
         draw.AddText({x, y}, ImGui::GetColorU32(style.letter_tint), style.letter);
         x += theme.px(13);
     }
-    std::string text = shown_text(value, style, box.Max.x - x - theme.px(4));
+    std::string text = shown_number(value, style, box.Max.x - x - theme.px(4));
     draw.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     if (active) draw.AddRect(box.Min, box.Max, colour::accent, theme.px(4));
 }
@@ -181,6 +166,21 @@ float part_width(const Theme& theme, int count, float width_px)
 }
 
 }  // namespace
+
+std::string shown_number(double value, const NumberStyle& style, float room_px)
+{
+    if (value == 0 && !style.at_zero.empty()) return style.at_zero;
+    std::string suffix = style.show_unit ? unit_suffix(style.unit) : "";
+    int decimals = shown_decimals(style);
+    std::string number = style.whole ? number_text(std::round(value), 0) : number_text(value, decimals);
+    if (ImGui::CalcTextSize((number + suffix).c_str()).x <= room_px) return number + suffix;
+    for (int places = decimals; ImGui::CalcTextSize(number.c_str()).x > room_px && places >= 0; --places) {
+        char text[48];
+        std::snprintf(text, sizeof text, "%.*f", places, value);
+        number = text;
+    }
+    return ImGui::CalcTextSize(number.c_str()).x <= room_px ? number : fitted(number, room_px);
+}
 
 bool vector_is_stacked(const Theme& theme, int count, float width_px)
 {

@@ -14,12 +14,16 @@ struct NumberStyle {
     std::string unit;
     bool whole = false;
     bool show_unit = true;    // behind the number, when there is room
+    std::string at_zero;      // what 0 means, where that is not an amount: shown in its place
     bool fill = true;         // a bar from zero to the value, when the soft range is finite
     const char* letter = "";  // "x"
     ImU32 letter_tint = colour::quiet_text;
     float width_px = 100;
     std::string tip;
 };
+
+// As the field shows it: with as many decimals as fit into `room_px`, or in words.
+std::string shown_number(double value, const NumberStyle& style, float room_px);
 
 NumberStyle number_style(const graph::Parameter& parameter);
 // What a parameter is and may be: help, range, default.

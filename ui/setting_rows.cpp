@@ -25,7 +25,7 @@ constexpr SettingWords all_words[] = {
     {"march", "constant_step", "Step", "m", "Length of every step; what is thinner may be passed through.", 0.005, 0.5},
     {"march", "normal_step", "Normal step", "m",
      "How far from a surface its slope is measured; longer rounds edges. 0 fits it to the distance from the eye.", 0,
-     0.05},
+     0.05, "By distance"},
     {"march", "out_of_steps", "Out of steps", "",
      "What a ray that ran out of steps shows: the sky, or the place where it stopped."},
     {"march", "method", "Method", "",
@@ -38,23 +38,24 @@ constexpr SettingWords all_words[] = {
      "How slopes are measured: with four distances at the corners of a tetrahedron, or with six along the axes."},
     {"occlusion", "kind", "Kind", "",
      "What darkens: the mean of distance and height over the samples, or their smallest ratio."},
-    {"occlusion", "strength", "Strength", "", "How dark corners get where little of the sky is seen; 0 is off.", 0, 1},
+    {"occlusion", "strength", "Strength", "", "How dark corners get where little of the sky is seen; 0 is off.", 0, 1,
+     "Off"},
     {"occlusion", "radius", "Radius", "m", "How far above a surface other things darken it.", 0.01, 5},
     {"occlusion", "samples", "Samples", "", "How many distances are taken on the way to the radius.", 1, 16},
     {"bounces", "bounces", "Bounces", "",
      "How often mirrors and glass send a ray on. Two see through a solid of glass; each may double the time. At 0 they "
      "show the sky at one look.",
-     0, 8},
-    {"fog", "density", "Density", "1/m", "Share of the light that a short way through the air takes; 0 is off.", 0,
-     0.2},
+     0, 8, "None"},
+    {"fog", "density", "Density", "1/m", "Share of the light that a short way through the air takes; 0 is off.", 0, 0.2,
+     "Off"},
     {"fog", "start", "Start", "m", "Way in front of the eye that is free of fog.", 0, 50},
     {"fog", "height_falloff", "Height falloff", "1/m",
-     "How fast the fog thins out with height, from y = 0 up; 0: the same everywhere.", 0, 2},
+     "How fast the fog thins out with height, from y = 0 up; 0: the same everywhere.", 0, 2, "Uniform"},
     {"fog", "colour", "Fog's colour", "", "What the fog looks like where one sees no farther."},
     {"picture", "samples", "Samples", "",
      "Rays through a pixel of a finished picture: smooth edges, depth of field and motion blur.", 1, 256},
     {"picture", "shutter", "Shutter", "s",
-     "How long a picture is exposed, around its moment: what moves is blurred. 0 freezes it.", 0, 0.5},
+     "How long a picture is exposed, around its moment: what moves is blurred. 0 freezes it.", 0, 0.5, "Frozen"},
     {"picture", "tone_map", "Tone map", "",
      "How bright light is compressed: not at all, keeping base colours, or as on film."},
     {"picture", "exposure", "Exposure", "stops",
@@ -109,6 +110,7 @@ bool number_setting(FrameContext& frame, const std::string& mark, const SettingW
     style.soft_minimum = std::max(words.soft_minimum, style.minimum);
     style.soft_maximum = words.soft_maximum;
     style.unit = words.unit;
+    style.at_zero = words.at_zero;
     style.tip = words.help;
     ImGui::PushID(mark.c_str());
     style.width_px = begin_row(frame, words.title, words.help);

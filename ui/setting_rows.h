@@ -13,6 +13,7 @@ namespace fieldwright::ui {
 struct SettingWords {
     std::string_view group, name, title, unit, help;
     double soft_minimum = 0, soft_maximum = 0;
+    std::string_view at_zero = {};  // what 0 means, where that is not an amount
 };
 const SettingWords& setting_words(std::string_view group, std::string_view name);
 
