@@ -20,6 +20,10 @@ void add_stereo(CLI::App& command, DisplayArguments& arguments)
         ->capture_default_str();
     command.add_flag("--swap-eyes", arguments.swap_eyes, "The right eye's picture for the left eye, and back");
     command.add_flag("--toe-in", arguments.toe_in, "Turns the eyes towards each other, which bends the picture");
+    command
+        .add_option("--split", arguments.split,
+                    "Share of the picture, from the left, that shows the plain anaglyph beside that of --stereo: 0.5")
+        ->check(CLI::Range(0.0, 1.0));
     command.add_flag("--rivalry", arguments.rivalry, "Stripes where the eyes fight over an anaglyph's colours");
 }
 
@@ -46,6 +50,7 @@ renderer::Display display_of(const DisplayArguments& arguments)
     display.stereo = *renderer::stereo_from_name(arguments.stereo);
     display.stereo_space = *renderer::stereo_space_from_name(arguments.stereo_space);
     display.swap_eyes = arguments.swap_eyes;
+    display.split = arguments.split;
     display.rivalry = arguments.rivalry;
     display.colour_map = *renderer::colour_map_from_name(arguments.colour_map);
     display.full_scale = arguments.full_scale;

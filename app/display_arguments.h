@@ -11,6 +11,7 @@ struct DisplayArguments {
     std::string view = "beauty", colour_map = "viridis", stereo = "off", stereo_space = "linear";
     int full_scale = 0;
     float interaxial = 0.065f, convergence = 5.0f;  // m
+    float split = 0;
     bool swap_eyes = false, toe_in = false, rivalry = false;
 };
 

@@ -2,6 +2,7 @@
 #include "app/node_costs.h"
 
 #include "app/measured_box.h"
+#include "app/stopwatch.h"
 #include "graph/edits.h"
 #include "graph/groups.h"
 #include "graph/slope.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 namespace fieldwright::app {
 namespace {
@@ -22,13 +22,6 @@ using graph::NodeId;
 constexpr float unbounded = 1e5f;       // m, of half a box
 constexpr int measured_pixels = 24000;  // of the small picture
 constexpr int repeats = 3;              // the quickest counts: what disturbs only adds
-
-double thread_seconds()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 renderer::FrameRequest small_picture(renderer::FrameRequest request)
 {
@@ -109,9 +102,9 @@ double picture_ms(const CostTask& task, const graph::Document& document)
     tbb::task_arena alone(1);  // this thread draws everything, so that its time is the picture's
     double best_s = 1e9;
     for (int i = 0; i < repeats; ++i) {
-        double start = thread_seconds();
+        Stopwatch watch;
         alone.execute([&] { renderer::draw_on_cpu(frame, program, request, {}); });
-        best_s = std::min(best_s, thread_seconds() - start);
+        best_s = std::min(best_s, watch.taken().processor_s);
     }
     double pixels = static_cast<double>(task.picture.width) * task.picture.height;
     double share = pixels / (static_cast<double>(request.width) * request.height);

@@ -151,6 +151,12 @@ void require_sense(const RenderArguments& arguments)
     if (format == PictureFormat::hdr && arguments.has_stereo()) refuse("--stereo needs .png, .jpg or .exr");
     if (arguments.sheet && arguments.has_stereo()) refuse("--sheet shows one eye; leave --stereo out");
     if (arguments.sheet && !arguments.tile.empty()) refuse("--sheet shows whole pictures; leave --tile out");
+    bool mixes_eyes = renderer::mode_of(*renderer::stereo_from_name(arguments.display.stereo)).layout ==
+                      renderer::StereoLayout::mixed;
+    if (arguments.display.split > 0 && (of_light || !mixes_eyes))
+        refuse("--split compares anaglyphs: choose one by --stereo, such as dubois, for .png or .jpg");
+    if (arguments.display.split > 0 && !arguments.tile.empty())
+        refuse("--split divides whole pictures; leave --tile out");
     if (arguments.grid > 0 && arguments.samples)
         refuse("--grid and --samples both say how many samples; leave one out");
     bool named_alike = !has_number_place(arguments.output.filename().string());

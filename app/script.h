@@ -16,7 +16,7 @@ namespace fieldwright::app {
 //   drag WIDGET DX DY            px of the window
 //   connect WIDGET WIDGET        drags from one to the other
 //   wheel WIDGET NOTCHES | key ctrl+shift+z | type TEXT (UTF-8)
-//   settle                       waits until the picture is finished and nothing moves
+//   settle                       waits until the picture is finished, an export written, and nothing moves
 //   drop FILE                    as another program's hand lets go of it over the window
 //   screenshot FILE | resize WIDTHxHEIGHT (one a frame) | quit
 // Empty lines and lines that begin with # say nothing.

@@ -48,11 +48,11 @@ bool same_picture(const renderer::PictureRequest& a, const renderer::PictureRequ
     return a.program == b.program && a.frame == b.frame && a.display == b.display && a.exposure == b.exposure;
 }
 
-// "CPU", or "GPU" with the driver's own name for it.
-std::string device_words(const renderer::RenderStatus& status)
+// "CPU", or "GPU" with the driver's own name for it; nothing before there is a picture.
+std::string device_words(const std::optional<renderer::DrawnPicture>& drawn, const renderer::RenderStatus& status)
 {
-    std::string_view device = status.device;
-    if (device != "gpu") return device == "cpu" ? "CPU" : status.device;
+    if (!drawn) return {};
+    if (drawn->device == renderer::Device::cpu) return "CPU";
     std::string name = status.gpu.substr(0, status.gpu.find_first_of("(,/"));
     return "GPU " + name.substr(0, name.find_last_not_of(' ') + 1);
 }
@@ -230,6 +230,7 @@ double Workbench::patience_s() const
 
 void Workbench::frame()
 {
+    Stopwatch watch;
     double now = now_s(), passed = last_frame_s_ > 0 ? now - last_frame_s_ : frame_s;
     last_frame_s_ = now;
     hurried_ = false;
@@ -243,8 +244,10 @@ void Workbench::frame()
     ui::Editor::Output output = editor_.draw(session_.document(), *session_.library(), readings_, window_.theme());
     window_.end_frame();
     if (output.text_expected) window_.input.wait_for_text();
-    frame_times_.ui_s = now_s() - now;
+    frame_times_.ui = watch.taken();
+    Stopwatch following;
     bool edited = follow(output, now);
+    frame_times_.edit = following.taken();
     if (edited) await_first_picture(now + edit_frame_s - draw_s_ - now_s());
     double drawing = now_s();
     render_thread_.set_window_drawing(true);
@@ -273,6 +276,7 @@ bool Workbench::follow(const ui::Editor::Output& output, double frame_start_s)
     if (holding || output.document_changed || editor_.viewport().moving()) touch();
     redraw_at_s_ = output.redraw_in_s ? std::optional(frame_start_s + *output.redraw_in_s) : std::nullopt;
     bool edited = request_picture(output.hands_moving);
+    write_export();
     if (edited) awaited_generation_ = requested_->generation;
     return edited;
 }
@@ -329,7 +333,7 @@ void Workbench::fill_readings()
     readings_.picture.height = picture_.size().y;
     renderer::RenderStatus rendering = render_thread_.status();
     readings_.picture.compiling = rendering.compiling;
-    readings_.picture.device = device_words(rendering);
+    readings_.picture.device = device_words(drawn_, rendering);
     readings_.step_names = session_.history().names();
     readings_.step = session_.history().step();
     readings_.file_name = session_.name();
@@ -372,7 +376,8 @@ bool Workbench::take_result()
         reading.fighting_share = drawn->fighting_share;
         reading.evaluations = static_cast<double>(drawn->steps.evaluations);
         reading.exhausted_share = static_cast<float>(drawn->steps.exhausted);
-        if (picture_finished() && picture_wanted_) export_picture(*std::exchange(picture_wanted_, std::nullopt));
+        drawn_ = std::move(*drawn);
+        write_export();
     } else if (auto* failed = std::get_if<renderer::CompileFailed>(&*result)) {
         compile_error_ = failed->log;
         refused_generation_ = failed->generation;
@@ -397,10 +402,19 @@ bool Workbench::picture_finished() const
     return picture.full && picture.samples >= picture.samples_wanted && shown_generation_ == asked_generation();
 }
 
+// Layers that are drawn already stay as long as the picture does: without them it would be drawn anew.
+void Workbench::keep_layers(renderer::PictureRequest& request) const
+{
+    if (!requested_ || request.frame.layers || !requested_->frame.layers) return;
+    request.frame.layers = true;
+    request.frame.layers = same_picture(*requested_, request);
+}
+
 // Whether another scene is asked for, by a hand that is done.
 bool Workbench::request_picture(bool hands_moving)
 {
     renderer::PictureRequest request = wanted_picture();
+    keep_layers(request);
     if (request.frame.width < 8 || request.frame.height < 8) return false;
     if (!requested_ || !same_picture(*requested_, request)) last_change_s_ = now_s();
     // A hand that holds still, or types, waits for the whole picture.
@@ -427,6 +441,7 @@ renderer::PictureRequest Workbench::wanted_picture() const
     request.exposure.checkered = true;
     request.display.look = renderer::look_of(settings);
     set_display(request, view, readings_, editor_.viewport_size_px());
+    if (export_) export_->prepare(request);
     return request;
 }
 
@@ -446,7 +461,7 @@ void Workbench::scene_replaced()
 
 void Workbench::play_script()
 {
-    bool finished = readings_.picture.full && shown_generation() == asked_generation() && !pictures_.busy();
+    bool finished = readings_.picture.full && shown_generation() == asked_generation() && !pictures_.busy() && !export_;
     Script::Stage stage{
         .input = window_.input,
         .rects = editor_.rects,

@@ -9,6 +9,7 @@
 #include "app/inspected_ray.h"
 #include "app/native_dialog.h"
 #include "app/node_costs.h"
+#include "app/picture_export.h"
 #include "app/picture_shelf.h"
 #include "app/recent_files.h"
 #include "app/script.h"
@@ -16,6 +17,7 @@
 #include "app/shown_picture.h"
 #include "app/shown_scene.h"
 #include "app/steps_texture.h"
+#include "app/stopwatch.h"
 #include "app/user_folders.h"
 #include "app/window.h"
 #include "app/window_state.h"
@@ -46,7 +48,8 @@ public:
 
     // For those who drive and measure it.
     struct FrameTimes {
-        double ui_s = 0;     // from taking the input to the end of what ImGui was told
+        Taken ui;            // from taking the input to the end of what ImGui was told
+        Taken edit;          // then: lowering what was edited, the history, asking for a picture
         double whole_s = 0;  // to the end of the frame
     };
     const FrameTimes& frame_times() const { return frame_times_; }  // of the last frame
@@ -81,6 +84,7 @@ private:
     bool follow(const ui::Editor::Output& output, double frame_start_s);
     bool picture_finished() const;
     renderer::PictureRequest wanted_picture() const;
+    void keep_layers(renderer::PictureRequest& request) const;
     void perform(const ui::Request& request);
     void choose(const ui::ChooseFile& request);
     void answer_dialog();
@@ -92,6 +96,7 @@ private:
     void save(const std::optional<std::filesystem::path>& path);
     void export_shader(const ui::ExportFile& request);
     void export_picture(const std::filesystem::path& path);
+    void write_export();
     void measure_nodes();
     void inspect_ray(const ui::InspectRay& request);
     void save_group(const ui::SaveGroup& request);
@@ -126,6 +131,7 @@ private:
     ShownScene scene_{Window::wake};
     std::vector<std::string> font_families_;  // empty until somebody asks
     ShownPicture picture_;
+    std::optional<renderer::DrawnPicture> drawn_;  // what it shows
     StepsTexture steps_texture_;
     InspectedRay ray_;
     NodeCostMeter node_costs_{Window::wake};
@@ -136,7 +142,7 @@ private:
     std::optional<ui::ChooseFile> dialog_request_;
     std::optional<FolderWatch> watch_, user_nodes_watch_;
     std::optional<Script> script_;
-    std::optional<std::filesystem::path> picture_wanted_;  // to be written when the picture is finished
+    std::optional<PictureExport> export_;  // to be written when the picture is finished
     std::string reload_error_, compile_error_;
     std::uint64_t refused_generation_ = 0;  // of the picture that compile_error_ is about
     bool quit_ = false;

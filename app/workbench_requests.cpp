@@ -5,6 +5,7 @@
 #include "codegen/glsl.h"
 #include "field/evaluator.h"
 #include "graph/scene_file.h"
+#include "ui/picture_formats.h"
 
 #include <ctime>
 
@@ -21,6 +22,14 @@ const char* dialog_title(ui::ChooseFile::Then then)
         case ui::ChooseFile::Then::picture: return "Choose a picture";
     }
     return "";
+}
+
+std::string picture_patterns()
+{
+    std::string patterns;
+    for (const ui::PictureFormat& format : ui::picture_formats())
+        for (std::string_view end : format.suffixes) patterns += (patterns.empty() ? "*" : " *") + std::string(end);
+    return patterns;
 }
 
 std::string time_text(const char* format, std::time_t time)
@@ -133,7 +142,7 @@ void Workbench::choose(const ui::ChooseFile& request)
     if (request.then == Then::export_shader)
         dialog.name = stem + ".glsl", dialog.filter = "Shader", dialog.pattern = "*.glsl";
     if (request.then == Then::export_picture)
-        dialog.name = stem + ".png", dialog.filter = "Picture", dialog.pattern = "*.png";
+        dialog.name = stem + ".png", dialog.filter = "Pictures", dialog.pattern = picture_patterns();
     if (request.then == Then::picture)
         dialog.filter = "Pictures", dialog.pattern = "*.png *.jpg *.jpeg *.hdr *.exr *.tif *.tiff";
     dialog_.start(dialog);
@@ -211,16 +220,28 @@ void Workbench::export_shader(const ui::ExportFile& request)
     });
 }
 
-// A picture still being drawn is written once it is finished.
+// Written once what it needs is drawn.
 void Workbench::export_picture(const std::filesystem::path& path)
 {
-    if (!picture_finished()) {
-        picture_wanted_ = path;
-        return say("The picture is written when it is finished");
-    }
     attempt([&] {
-        renderer::write_png(path, *picture_.picture());
-        say("Exported " + path.filename().string());
+        PictureExport wanted(path);
+        if (std::string refusal = wanted.refusal(wanted_picture().display); !refusal.empty())
+            return say("Not exported: " + refusal, true);
+        export_ = std::move(wanted);
+        say("The picture is written when it is finished");
+    });
+}
+
+void Workbench::write_export()
+{
+    if (!export_ || !requested_ || !picture_finished() || !export_->suits(*requested_)) return;
+    PictureExport finished = *std::exchange(export_, std::nullopt);
+    // Another view may be shown by now.
+    if (std::string refusal = finished.refusal(requested_->display); !refusal.empty())
+        return say("Not exported: " + refusal, true);
+    attempt([&] {
+        finished.write(*drawn_, *requested_);
+        say("Exported " + finished.path().filename().string());
     });
 }
 

@@ -89,6 +89,7 @@ void Accumulation::deliver(RenderDesk& desk, FramePool& frames, Device device, c
     drawn.picture =
         std::make_shared<const Picture>(picture(*drawn.frame, stereo ? *drawn.right_frame : *drawn.frame,
                                                 job.request->display, job.request->program->march.step_limit));
+    drawn.device = device;
     drawn.divisor = 1;
     drawn.final = true;
     drawn.samples = left_.sums.count();

@@ -74,10 +74,21 @@ void encode_lanes(Rows& bytes, const Rows& linear, int count)
         for (int i = 0; i < count; ++i) bytes.lane(k)[i] = static_cast<float>(table.byte(linear.lane(k)[i]));
 }
 
+float most_steps(const Display& display, int step_limit)
+{
+    return static_cast<float>(std::max(display.full_scale > 0 ? display.full_scale : step_limit, 1));
+}
+
 // Diagonals, so wide that they are seen as stripes on every screen.
 bool on_stripe(int x, int y) { return (x + y) / 4 % 2 == 0; }
 
 }  // namespace
+
+float scale_end(const Display& display, int step_limit)
+{
+    float own = kind_of(display.view).scale_end;
+    return own > 0 ? own : most_steps(display, step_limit);
+}
 
 Picture blank_picture(glm::ivec2 size_px)
 {
@@ -108,8 +119,8 @@ struct PictureEncoder::Run {
 
 PictureEncoder::PictureEncoder(const Display& display, int step_limit)
     : display_(display),
-      step_scale_(static_cast<float>(std::max(display.full_scale > 0 ? display.full_scale : step_limit, 1))),
-      heat_scale_(kind_of(display.view).scale_end > 0 ? kind_of(display.view).scale_end : step_scale_),
+      step_scale_(most_steps(display, step_limit)),
+      heat_scale_(scale_end(display, step_limit)),
       show_(function_of(display.view), field::kernels()),
       look_(display.look)
 {

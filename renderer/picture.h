@@ -24,6 +24,8 @@ struct Display {
     int full_scale = 0;  // steps at the colour map's end; 0 = the step limit
     bool operator==(const Display&) const = default;
 };
+// The number at the end of the display's colour map: of steps, or of what its view has on its scale.
+float scale_end(const Display& display, int step_limit);
 
 // 8-bit sRGB, top-down, 3 bytes a pixel.
 struct Picture {

@@ -227,6 +227,7 @@ void PicturePass::show_growing()
     DrawnPicture growing = base_.picture;
     growing.picture = std::move(copy);
     growing.final = false;
+    growing.device = device_;
     desk_.deliver(device_, job_, std::move(growing), false);
 }
 
@@ -236,6 +237,7 @@ DrawnPicture PicturePass::finished(double seconds) const
     drawn.picture = picture_;
     drawn.frame = left_;
     drawn.right_frame = right_;
+    drawn.device = device_;
     drawn.divisor = plan_.divisor;
     drawn.final = plan_.divisor == 1;
     drawn.ms = 1e3 * seconds;

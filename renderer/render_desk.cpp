@@ -262,10 +262,8 @@ void RenderDesk::deliver(Device device, const Job& job, DrawnPicture picture, bo
     {
         std::lock_guard lock(mutex_);
         picture.generation = (job.serial == newest_.serial ? newest_ : job).request->generation;
-        picture.device = device == Device::gpu ? "gpu" : "cpu";
         bool late = job.serial < delivered_ || job.serial < final_ || (job.serial == final_ && !picture.final);
         if (closed_ || late || !is_lead(device, job)) return;
-        status_.device = picture.device;
         delivered_ = job.serial;
         if (picture.final) final_ = job.serial;
         last_delivery_ = Clock::now();

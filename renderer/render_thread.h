@@ -48,9 +48,9 @@ struct DrawnPicture {
     bool final = false;  // complete and of the request's size: only further samples follow
     int samples = 1;     // of a pixel, in the picture and in its frames' colours
     std::uint64_t generation = 0;
-    double ms = 0;            // drawing it took
-    const char* device = "";  // "cpu", "gpu"
-    bool of_slice = false;    // its frame holds distances, not depths
+    double ms = 0;                // drawing it took
+    Device device = Device::cpu;  // that drew it, or is drawing over the one that did
+    bool of_slice = false;        // its frame holds distances, not depths
     StepStatistics steps;
     std::optional<double> fighting_share;  // of pixels over whose colour the eyes fight; nothing unless both are mixed
 };
@@ -71,10 +71,9 @@ struct Failed {
 using RenderResult = std::variant<DrawnPicture, CompileFailed, Lost, Failed>;
 
 struct RenderStatus {
-    bool busy = false;        // something is drawn or compiled
-    bool compiling = false;   // a shader
-    const char* device = "";  // which drew last: "cpu", "gpu"
-    std::string gpu;          // GL_RENDERER; empty when there is none (yet)
+    bool busy = false;       // something is drawn or compiled
+    bool compiling = false;  // a shader
+    std::string gpu;         // GL_RENDERER; empty when there is none (yet)
     bool gpu_is_software = false;
     std::string no_gpu;                                 // why there is none
     int links = 0;                                      // programs linked so far

@@ -67,7 +67,7 @@ void append_export(std::vector<Command>& list, const Readings& readings)
                     .title = "Export picture…",
                     .menu = "File",
                     .also_in = "Render",
-                    .help = "Writes what the viewport shows as a PNG file, in full size.",
+                    .help = "Writes what the viewport shows as a PNG, JPEG, HDR or EXR file, in full size.",
                     .icon = icon::image,
                     .shortcuts = {{.key = key::f12}},
                     .separator = first,

@@ -3,6 +3,7 @@
 
 #include "ui/dialog_frame.h"
 #include "ui/keys.h"
+#include "ui/picture_formats.h"
 
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -16,6 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using Then = ChooseFile::Then;
 
+constexpr float format_width = 84;  // design px
+
 struct Purpose {
     const char *title, *verb, *suffix;
 };
@@ -26,7 +29,7 @@ Purpose purpose(Then then)
         case Then::open: return {"Open a scene", "Open", ".scene.json"};
         case Then::save_as: return {"Save the scene as", "Save", ".scene.json"};
         case Then::export_shader: return {"Export the shader to", "Export", ".glsl"};
-        case Then::export_picture: return {"Export the picture to", "Export", ".png"};
+        case Then::export_picture: return {"Export the picture to", "Export", "picture"};
         case Then::picture: return {"Choose a picture", "Choose", "picture"};
     }
     return {"", "", ""};
@@ -35,7 +38,11 @@ Purpose purpose(Then then)
 std::vector<std::string> suffixes(Then then)
 {
     if (then == Then::picture) return {".png", ".jpg", ".jpeg", ".hdr", ".exr", ".tif", ".tiff"};
-    return {purpose(then).suffix};
+    if (then != Then::export_picture) return {purpose(then).suffix};
+    std::vector<std::string> ends;
+    for (const PictureFormat& format : picture_formats())
+        ends.insert(ends.end(), format.suffixes.begin(), format.suffixes.end());
+    return ends;
 }
 
 Request request_for(const ChooseFile& what, std::string path)
@@ -226,11 +233,18 @@ void FileBrowser::draw_name(FrameContext& frame)
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("File name");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(-1);
+    bool has_formats = what_.then == Then::export_picture;
+    float formats = has_formats ? frame.theme.px(format_width) + ImGui::GetStyle().ItemSpacing.x : 1;
+    ImGui::SetNextItemWidth(-formats);
     if (appearing_ && saving()) frame.focus_next_text();
     bool entered = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
     frame.rects.mark("browser/name");
-    if (ImGui::IsItemEdited()) {
+    bool renamed = ImGui::IsItemEdited();
+    if (has_formats) {
+        ImGui::SameLine();
+        renamed = picture_format_field(frame, "browser/format", name_) || renamed;
+    }
+    if (renamed) {
         replace_.clear();
         highlighted_ = -1;
         error_ = listing_.error;
@@ -296,10 +310,21 @@ void FileBrowser::enter(std::size_t index, FrameContext& frame)
 fs::path FileBrowser::chosen_path() const
 {
     std::string name = name_;
+    if (what_.then == Then::export_picture) return folder_ / complete_picture_name(name);
     std::string suffix = purpose(what_.then).suffix;
     bool complete = name.ends_with(suffix) || (suffix == ".scene.json" && name.ends_with(".json"));
     if (saving() && !complete) name += suffix;
     return folder_ / name;
+}
+
+std::string FileBrowser::refusal_of(const fs::path& path) const
+{
+    std::error_code error;
+    std::string name = path.filename().string();
+    if (!saving()) return fs::exists(path, error) ? "" : "There is no file " + name + " here.";
+    if (what_.then == Then::export_picture && !picture_format_of(name)) return picture_name_error(name) + ".";
+    if (!fs::is_directory(path.parent_path(), error)) return "There is no folder " + path.parent_path().string() + ".";
+    return {};
 }
 
 void FileBrowser::accept(FrameContext& frame)
@@ -314,16 +339,8 @@ void FileBrowser::accept(FrameContext& frame)
         return;
     }
     fs::path path = chosen_path();
-    bool exists = fs::exists(path, error);
-    if (!saving() && !exists) {
-        error_ = "There is no file " + path.filename().string() + " here.";
-        return;
-    }
-    if (saving() && !fs::is_directory(path.parent_path(), error)) {
-        error_ = "There is no folder " + path.parent_path().string() + ".";
-        return;
-    }
-    if (saving() && exists && replace_ != path.filename().string()) {
+    if (error_ = refusal_of(path); !error_.empty()) return;
+    if (saving() && fs::exists(path, error) && replace_ != path.filename().string()) {
         replace_ = path.filename().string();
         return;
     }

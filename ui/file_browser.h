@@ -31,6 +31,7 @@ private:
     void type_path();
     void accept(FrameContext& frame);
     std::filesystem::path chosen_path() const;
+    std::string refusal_of(const std::filesystem::path& path) const;  // why it cannot be chosen; empty when it can
 
     ChooseFile what_{ChooseFile::Then::open, {}};
     bool open_ = false, appearing_ = false, all_files_ = false;

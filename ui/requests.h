@@ -25,7 +25,7 @@ struct ExportFile {
 };
 struct ExportPicture {
     std::string path;
-};  // the viewport's picture, full size, as PNG
+};  // the viewport's picture, full size, in the format that the path's end means
 // Asks for a path by the system's dialog, or the built-in browser where there is none; the answer comes back as `then`.
 struct ChooseFile {
     enum class Then { open, save_as, export_shader, export_picture, picture } then;

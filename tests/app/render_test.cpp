@@ -155,6 +155,27 @@ TEST_F(Render, keeps_the_scene_in_the_picture_when_asked)
     EXPECT_NE(refused.errors.find("--keep-scene"), std::string::npos) << refused.errors;
 }
 
+TEST_F(Render, splits_an_anaglyph_between_the_plain_one_and_its_own)
+{
+    auto half = [&](const std::string& name, int from, int to) {
+        renderer::Picture picture = renderer::read_png(path(name));
+        std::vector<unsigned char> bytes;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 3 * from; x < 3 * to; ++x)
+                bytes.push_back(picture.rgb[static_cast<std::size_t>(3 * y * picture.width + x)]);
+        return bytes;
+    };
+    render("--samples 1 --stereo naive -o " + path("naive.png"));
+    render("--samples 1 --stereo dubois -o " + path("dubois.png"));
+    render("--samples 1 --stereo dubois --split 0.5 -o " + path("split.png"));
+    EXPECT_TRUE(half("split.png", 0, 32) == half("naive.png", 0, 32));
+    EXPECT_TRUE(half("split.png", 32, 64) == half("dubois.png", 32, 64));
+    EXPECT_TRUE(half("naive.png", 0, 32) != half("dubois.png", 0, 32));
+    render("--split 0.5 -o " + path("off.png"), 2);
+    render("--split 0.5 --stereo side-by-side -o " + path("two.png"), 2);
+    render("--split 0.5 --stereo dubois --tile 1/2 -o " + path("tile.png"), 2);
+}
+
 TEST_F(Render, puts_every_view_on_a_sheet)
 {
     render("--samples 1 --sheet -o " + path("sheet.png"));

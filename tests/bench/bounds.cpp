@@ -69,7 +69,7 @@ void measure(const char* name, const graph::Document& scene, const std::shared_p
     demand(apart <= largest_share_apart, "the pictures with and without the bounding volume");
 }
 
-int run()
+void run()
 {
     tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     auto library = graph::Library::embedded();
@@ -79,18 +79,9 @@ int run()
                 "without", "ratio", "steps", "without", "% apart");
     measure("alone", muted(scene, is_of_the_meadow), library);
     measure("in its meadow", scene, library);
-    return 0;
 }
 
 }  // namespace
 }  // namespace fieldwright::bench
 
-int main()
-{
-    try {
-        return fieldwright::bench::run();
-    } catch (const fieldwright::graph::Failure& failure) {
-        std::fprintf(stderr, "%s\n", failure.what());
-        return failure.exit_code;
-    }
-}
+int main() { return fieldwright::bench::run_benchmark(fieldwright::bench::run); }

@@ -70,7 +70,7 @@ void measure_orbit(PictureWindow& window, const std::shared_ptr<const graph::Pro
                 divisors.front(), divisors.back(), 1e3 * longest);
 }
 
-int run()
+void run()
 {
     auto library = graph::Library::embedded();
     graph::Document scene =
@@ -84,18 +84,9 @@ int run()
     window.picture_of(window.generation(), true);
     std::printf("at rest: full picture after %.2f s\n", seconds_since(start));
     measure_orbit(window, program);
-    return 0;
 }
 
 }  // namespace
 }  // namespace fieldwright::bench
 
-int main()
-{
-    try {
-        return fieldwright::bench::run();
-    } catch (const fieldwright::graph::Failure& failure) {
-        std::fprintf(stderr, "%s\n", failure.what());
-        return failure.exit_code;
-    }
-}
+int main() { return fieldwright::bench::run_benchmark(fieldwright::bench::run); }

@@ -58,7 +58,7 @@ void print_row(const Size& size)
                 static_cast<double>(size.bytes) / size.nodes());
 }
 
-int run()
+void run()
 {
     std::shared_ptr<const graph::Library> library = graph::Library::embedded();
     std::vector<Size> sizes;
@@ -76,10 +76,9 @@ int run()
                 verdict(worst <= 2));
     std::printf("10,000 nodes against 1,000, per node: %.2fx, median %.2fx (linear: <= 1.2x): %s\n", growth,
                 large.median / small.median, verdict(growth <= 1.2));
-    return 0;
 }
 
 }  // namespace
 }  // namespace fieldwright::bench
 
-int main() { return fieldwright::bench::run(); }
+int main() { return fieldwright::bench::run_benchmark(fieldwright::bench::run); }

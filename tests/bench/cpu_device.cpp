@@ -25,7 +25,7 @@ void measure(const std::string& name, const graph::Program& program)
     std::printf("%-24s %10.1f %10.1f\n", name.c_str(), 1e3 * times.minimum, 1e3 * times.median);
 }
 
-int run()
+void run()
 {
     tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     std::shared_ptr<const graph::Library> library = graph::Library::embedded();
@@ -39,18 +39,9 @@ int run()
         measure(path.stem().stem().string(), graph::lower(graph::open_scene(path, *library), library));
     measure("csg(" + std::to_string(primitives) + ")",
             graph::lower(csg_document(csg_scene(primitives), library), library));
-    return 0;
 }
 
 }  // namespace
 }  // namespace fieldwright::bench
 
-int main()
-{
-    try {
-        return fieldwright::bench::run();
-    } catch (const fieldwright::graph::Failure& failure) {
-        std::fprintf(stderr, "%s\n", failure.what());
-        return failure.exit_code;
-    }
-}
+int main() { return fieldwright::bench::run_benchmark(fieldwright::bench::run); }

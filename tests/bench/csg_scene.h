@@ -170,11 +170,9 @@ inline graph::NodeId add_combination(SceneWriter& writer, const Combination& com
 // A shape and its translation are added one after the other, from 1 on.
 inline int shape_node_id(int shape) { return 2 * shape + 1; }
 
-inline graph::Document csg_document(const CsgScene& scene, const std::shared_ptr<const graph::Library>& library)
+// Combines the shapes, and adds what every scene has.
+inline graph::Document combined(SceneWriter& writer, const CsgScene& scene, std::vector<graph::NodeId> operands)
 {
-    SceneWriter writer(library);
-    std::vector<graph::NodeId> operands;
-    for (const Placed& placed : scene.shapes) operands.push_back(add_shape(writer, placed));
     for (const Combination& combination : scene.combinations) {
         graph::NodeId a = operands[static_cast<std::size_t>(combination.a)];
         graph::NodeId b = operands[static_cast<std::size_t>(combination.b)];
@@ -185,6 +183,31 @@ inline graph::Document csg_document(const CsgScene& scene, const std::shared_ptr
     graph::NodeId sky = writer.add("gradient", {});
     writer.add("output", {}, {{"camera", camera}, {"d", operands.back()}, {"sky", sky}});
     return writer.finish();
+}
+
+inline graph::Document csg_document(const CsgScene& scene, const std::shared_ptr<const graph::Library>& library)
+{
+    SceneWriter writer(library);
+    std::vector<graph::NodeId> operands;
+    for (const Placed& placed : scene.shapes) operands.push_back(add_shape(writer, placed));
+    return combined(writer, scene, std::move(operands));
+}
+
+// Every other shape is a mirror, the rest is glass: rays go on wherever they arrive, as often as they may.
+inline graph::Document csg_of_glass(const CsgScene& scene, int bounces,
+                                    const std::shared_ptr<const graph::Library>& library)
+{
+    SceneWriter writer(library);
+    graph::NodeId materials[] = {writer.add("glass", {{"depth", 4.0f}}),
+                                 writer.add("metallic_roughness", {{"roughness", 0.05f}})};
+    std::vector<graph::NodeId> operands;
+    for (const Placed& placed : scene.shapes) {
+        graph::NodeId material = materials[operands.size() % 2];
+        operands.push_back(writer.add("paint", {}, {{"d", add_shape(writer, placed)}, {"material", material}}));
+    }
+    graph::Document document = combined(writer, scene, std::move(operands));
+    document.bounces = bounces;
+    return document;
 }
 
 }  // namespace fieldwright::bench

@@ -149,7 +149,7 @@ void print_row(const char* name, int threads, const Times& times)
                 evaluations / times.median, evaluations * primitives / times.minimum / 1e3);
 }
 
-int run()
+void run()
 {
     std::shared_ptr<const graph::Library> library = graph::Library::embedded();
     graph::Program program = graph::lower(csg_document(csg_scene(primitives), library), library);
@@ -175,18 +175,9 @@ int run()
         std::printf("evaluator against compiled, %d thread(s): %.2fx, median %.2fx (>= 0.6x): %s\n", threads, ratio,
                     scene.median / evaluator.median, verdict(ratio >= 0.6));
     }
-    return 0;
 }
 
 }  // namespace
 }  // namespace fieldwright::bench
 
-int main()
-{
-    try {
-        return fieldwright::bench::run();
-    } catch (const fieldwright::graph::Failure& failure) {
-        std::fprintf(stderr, "%s\n", failure.what());
-        return failure.exit_code;
-    }
-}
+int main() { return fieldwright::bench::run_benchmark(fieldwright::bench::run); }

@@ -110,7 +110,8 @@ void measure_rest(PictureWindow& window, Scenes& scenes)
     auto start = Clock::now();
     window.ask(scenes.dragged(0.25f), false);
     DrawnPicture drawn = window.picture_of(window.generation(), true);
-    std::printf("full picture after it: %.2f s, by the %s\n", seconds_since(start), drawn.device);
+    std::printf("full picture after it: %.2f s, by the %s\n", seconds_since(start),
+                drawn.device == renderer::Device::gpu ? "GPU" : "CPU");
     while (window.status().busy) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     double before = processor_seconds();
     std::this_thread::sleep_for(std::chrono::duration<double>(idle_seconds));
@@ -118,7 +119,7 @@ void measure_rest(PictureWindow& window, Scenes& scenes)
     std::printf("idle: %.2f %% of a core (< 2 %%): %s\n", 100 * share, verdict(share < 0.02));
 }
 
-int run()
+void run()
 {
     Scenes scenes;
     PictureWindow window(Device::automatic, width, height);
@@ -130,19 +131,9 @@ int run()
     measure_edits(window, scenes);
     measure_drag(window, scenes);
     measure_rest(window, scenes);
-    return 0;
 }
 
 }  // namespace
 }  // namespace fieldwright::bench
 
-int main()
-{
-    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // what is cached is not compiled
-    try {
-        return fieldwright::bench::run();
-    } catch (const fieldwright::graph::Failure& failure) {
-        std::fprintf(stderr, "%s\n", failure.what());
-        return failure.exit_code;
-    }
-}
+int main() { return fieldwright::bench::run_benchmark(fieldwright::bench::run); }

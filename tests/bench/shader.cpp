@@ -295,26 +295,16 @@ void compare(const Canvas& canvas, const Rivals& rivals)
         interleaved([&] { return canvas.frame_seconds(generated); }, [&] { return canvas.frame_seconds(hand); }), 1.1);
 }
 
-int run()
+void run()
 {
     CsgScene scene = csg_scene(primitives);
     Canvas canvas;
     std::printf("csg(%d), %dx%d, %s\n", primitives, width, height, canvas.renderer_name().data());
     compare(canvas, rivals("colour and node ids", scene, true));
     compare(canvas, rivals("colour without ids", scene, false));
-    return 0;
 }
 
 }  // namespace
 }  // namespace fieldwright::bench
 
-int main()
-{
-    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // what is cached is not compiled
-    try {
-        return fieldwright::bench::run();
-    } catch (const fieldwright::graph::Failure& failure) {
-        std::fprintf(stderr, "%s\n", failure.what());
-        return failure.exit_code;
-    }
-}
+int main() { return fieldwright::bench::run_benchmark(fieldwright::bench::run); }

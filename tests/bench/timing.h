@@ -1,5 +1,8 @@
-// Timing of two rivals in turn, A B A B ..., so that what slows the machine slows both.
+// What benchmarks have in common: timing of two rivals in turn, A B A B ..., so that what slows the machine slows both,
+// and what a program does around its measure.
 #pragma once
+
+#include "graph/problem.h"
 
 #include <algorithm>
 #include <chrono>
@@ -62,10 +65,25 @@ std::pair<Times, Times> interleaved(const A& a, const B& b, int count = repetiti
 inline void demand(bool equal, const char* sentence)
 {
     if (equal) return;
+    std::fflush(stdout);
     std::fprintf(stderr, "not equal: %s\n", sentence);
-    std::exit(1);
+    std::_Exit(1);  // threads may be drawing
 }
 
 inline const char* verdict(bool reached) { return reached ? "reached" : "MISSED"; }
+
+// The whole of a benchmark's `main`; the exit code. Lines are seen as they are printed.
+inline int run_benchmark(void (*measure)())
+{
+    setvbuf(stdout, nullptr, _IOLBF, 0);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // what is cached is not compiled
+    try {
+        measure();
+        return 0;
+    } catch (const graph::Failure& failure) {
+        std::fprintf(stderr, "%s\n", failure.what());
+        return failure.exit_code;
+    }
+}
 
 }  // namespace fieldwright::bench

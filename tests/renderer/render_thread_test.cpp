@@ -139,7 +139,7 @@ TEST(RenderThread, shows_a_coarse_picture_then_the_one_of_the_cpu)
     Frame frame = render_on_cpu(*request.program, request.frame);
     EXPECT_EQ(last->picture->rgb, picture(frame, View::beauty, request.program->march.step_limit).rgb);
     EXPECT_EQ(last->frame->node_id, frame.node_id);
-    EXPECT_EQ(std::string(last->device), "cpu");
+    EXPECT_EQ(last->device, Device::cpu);
     StepStatistics steps = step_statistics(frame);
     EXPECT_EQ(last->steps.mean, steps.mean);
     EXPECT_EQ(last->steps.largest, *std::max_element(frame.steps.begin(), frame.steps.end()));
@@ -182,7 +182,7 @@ TEST(RenderThread, draws_slices_on_the_cpu_and_goes_back_to_rays)
     std::optional<DrawnPicture> slice = desk.final_picture(desk.ask(request));
     ASSERT_TRUE(slice);
     EXPECT_TRUE(slice->of_slice);
-    EXPECT_EQ(std::string(slice->device), "cpu");
+    EXPECT_EQ(slice->device, Device::cpu);
     EXPECT_EQ(slice->picture->rgb, picture(render_on_cpu(*request.program, request.frame), View::slice, 256).rgb);
     request.frame.slice.reset();
     request.display.view = View::beauty;
@@ -254,7 +254,7 @@ TEST(RenderThread, on_the_gpu_shows_the_picture_of_the_gpu)
     Desk desk(Device::gpu);
     std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request));
     ASSERT_TRUE(drawn);
-    EXPECT_EQ(std::string(drawn->device), "gpu");
+    EXPECT_EQ(drawn->device, Device::gpu);
     GpuDevice gpu;
     EXPECT_EQ(drawn->picture->rgb, picture(gpu.render(*request.program, request.frame), View::beauty, 256).rgb);
     request.frame.camera->position.x = 2;
@@ -281,7 +281,7 @@ TEST(RenderThread, draws_what_only_the_gpu_can)
     Desk desk(Device::automatic);
     std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request_of(program, 64, 36)));
     ASSERT_TRUE(drawn);
-    EXPECT_EQ(std::string(drawn->device), "gpu");
+    EXPECT_EQ(drawn->device, Device::gpu);
 }
 
 TEST(RenderThread, says_that_there_is_no_gpu_for_what_only_the_gpu_can_draw)
@@ -506,7 +506,7 @@ TEST(RenderThread, bears_one_loss_of_the_gpu_and_goes_on_without_it_after_two)
     thread.request(gpu_only);
     EXPECT_TRUE(poll_until([&] { return losses == 1 && newest.final; }));
     EXPECT_FALSE(gives_up);
-    EXPECT_EQ(std::string(newest.device), "gpu");
+    EXPECT_EQ(newest.device, Device::gpu);
 
     gpu_only.frame.time = 1;
     gpu_only.generation = 2;
@@ -522,7 +522,7 @@ TEST(RenderThread, bears_one_loss_of_the_gpu_and_goes_on_without_it_after_two)
     for_both.generation = 3;
     thread.request(for_both);
     EXPECT_TRUE(poll_until([&] { return newest.generation == 3 && newest.final; }));
-    EXPECT_EQ(std::string(newest.device), "cpu");
+    EXPECT_EQ(newest.device, Device::cpu);
     EXPECT_FALSE(thread.status().no_gpu.empty());
 }
 
@@ -536,7 +536,7 @@ TEST(RenderThread, draws_an_edited_shading_library_on_the_gpu)
     Desk desk(Device::automatic);
     std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request_of(program_of(s), 64, 36)));
     ASSERT_TRUE(drawn);
-    EXPECT_EQ(std::string(drawn->device), "gpu");
+    EXPECT_EQ(drawn->device, Device::gpu);
 }
 
 TEST(RenderThread, takes_the_gpu_where_it_is_faster_and_says_so)
@@ -554,7 +554,7 @@ TEST(RenderThread, takes_the_gpu_where_it_is_faster_and_says_so)
     std::optional<DrawnPicture> drawn = desk.final_picture(desk.ask(request));
     ASSERT_TRUE(drawn);
     bool gpu_is_faster = status.gpu_ns_per_pixel < 0.5 * status.cpu_ns_per_pixel;
-    EXPECT_TRUE(!gpu_is_faster || std::string(drawn->device) == "gpu");
+    EXPECT_TRUE(!gpu_is_faster || drawn->device == Device::gpu);
     EXPECT_EQ(desk.thread.status().links, status.links);
 }
 

@@ -120,6 +120,30 @@ TEST_F(Browser, exports_pictures)
     EXPECT_EQ(requested<ui::ExportPicture>(), (folder / "scene.png").string());
 }
 
+TEST_F(Browser, chooses_the_format_of_a_picture_by_its_name_or_from_a_list)
+{
+    std::ofstream(folder / "there.exr") << "x";
+    browse(Then::export_picture, "scene.png");
+    EXPECT_TRUE(driver.shows("browser/file/there.exr"));
+    driver.click("browser/format");
+    driver.click("browser/format/choice/exr");
+    driver.click("browser/accept");
+    EXPECT_EQ(requested<ui::ExportPicture>(), (folder / "scene.exr").string());
+}
+
+TEST_F(Browser, adds_an_end_to_a_picture_and_refuses_one_of_no_format)
+{
+    browse(Then::export_picture, "scene.bmp");
+    driver.click("browser/accept");
+    EXPECT_TRUE(driver.requests.empty());
+    EXPECT_TRUE(driver.shows("browser/error"));
+    driver.double_click(driver.place("browser/name"));
+    driver.key('A', true);
+    driver.type("scene");
+    driver.key(ui::key::enter);
+    EXPECT_EQ(requested<ui::ExportPicture>(), (folder / "scene.png").string());
+}
+
 TEST_F(Browser, goes_where_a_typed_path_leads)
 {
     browse(Then::open);
