@@ -3,7 +3,7 @@
 
 #include "assets/lettering.h"
 #include "ui/font_files.h"
-#include "ui/number_text.h"
+#include "ui/legend.h"
 
 #include <algorithm>
 #include <array>
@@ -32,9 +32,9 @@ std::optional<Legend> legend_of(const Display& display, int step_limit)
 {
     const renderer::ViewKind& kind = renderer::kind_of(display.view);
     if (kind.scale_title)
-        return Legend{"0", kind.scale_title, ui::rounded_text(renderer::scale_end(display, step_limit)),
+        return Legend{"0", kind.scale_title, ui::scale_text(renderer::scale_end(display, step_limit)),
                       display.view == View::steps};
-    if (display.view == View::depth) return Legend{"0 m", ui::number_text(half_bright_m, 0) + " m", "far"};
+    if (display.view == View::depth) return Legend{"0 m", ui::scale_text(half_bright_m) + " m", "far"};
     if (display.view == View::shadow) return Legend{"0", "Share of the lights", "1"};
     if (display.view == View::occlusion) return Legend{"0", "Open to the sky", "1"};
     return std::nullopt;

@@ -5,6 +5,8 @@
 #include "app/frame_numbers.h"
 #include "graph/scene_file.h"
 
+#include <utility>
+
 namespace fieldwright::app {
 namespace {
 
@@ -49,10 +51,13 @@ PictureMaker::PictureMaker(const RenderArguments& arguments, const graph::Docume
     display_.look = renderer::look_of(document.picture);
     if (!arguments.tile.empty()) request_.part = tile_from_text(arguments.tile, request_.width, request_.height);
     set_request(request_, arguments.display);
+    Area part = drawn_area(request_);
+    display_.origin = {part.x, part.y};
     request_.layers = request_.layers || arguments.sheet || arguments.format() == PictureFormat::exr;
     exposure_.grid = arguments.grid;
-    bool of_light = arguments.display.view == "beauty" || arguments.sheet;
-    samples_ = of_light ? renderer::sample_count(exposure_) : 1;
+    request_.sky = renderer::shows_sky(exposure_);
+    bool of_samples = kind_of(display_.view).mean || arguments.sheet;
+    samples_ = of_samples ? renderer::sample_count(exposure_) : 1;
     if (arguments.keep_scene) scene_ = graph::write_scene(document, *program.library);
     double eyes = arguments.has_stereo() ? 2 : 1, of_picture = samples_ + (arguments.grid > 0 ? 1 : 0);
     drawings_in_all_ = std::max(1.0, static_cast<double>(picture_count) * eyes * of_picture);
@@ -67,13 +72,22 @@ void PictureMaker::make(const std::filesystem::path& path, float time)
 
 void PictureMaker::finish(const std::string& what) { line_.finish(what + " on " + device_name()); }
 
-Frame PictureMaker::draw(const renderer::FrameRequest& request)
+Frame PictureMaker::draw(const renderer::FrameRequest& picture, const renderer::Exposure& exposure, int sample)
 {
-    auto progress = [&](float share) { line_.show(static_cast<float>((drawings_ + share) / drawings_in_all_)); };
-    Frame frame = gpu_ ? gpu_->render(program_, request, progress) : render_on_cpu(program_, request, progress);
-    ++drawings_;
-    Area whole{0, 0, frame.width, frame.height};
-    lay_backdrop(frame, whole, exposure_, drawn_area(request));
+    const Area area = drawn_area(picture);
+    Frame frame(area.width, area.height, picture.layers);
+    double pixels = std::max(1.0, static_cast<double>(area.width) * area.height);
+    draw_sample(frame, picture, exposure, sample, [&](Frame& to, const renderer::FrameRequest& request) {
+        double part = static_cast<double>(to.width) * to.height / pixels;
+        auto progress = [&](float share) {
+            line_.show(static_cast<float>((drawings_ + share * part) / drawings_in_all_));
+        };
+        bool drawn = gpu_ ? gpu_->draw(to, program_, request, {.progress = progress})
+                          : draw_on_cpu(to, program_, request, {.progress = progress});
+        drawings_ += part;
+        return drawn;
+    });
+    lay_backdrop(frame, {0, 0, frame.width, frame.height}, exposure_, area);
     return frame;
 }
 
@@ -83,11 +97,11 @@ Frame PictureMaker::eye(Eye which, float time)
     renderer::FrameRequest picture = request_;
     picture.eye = which;
     picture.time = time;
-    Frame first = draw(picture);
+    Frame first = draw(picture, {}, 0);
     renderer::Accumulator sums;
     bool on_grid = exposure_.grid > 0 && samples_ > 1;
     if (!on_grid) sums.add(first, exposure_);
-    while (sums.count() < samples_) sums.add(draw(sample_of(picture, exposure_, sums.count())), exposure_);
+    while (sums.count() < samples_) sums.add(draw(picture, exposure_, sums.count()), exposure_);
     sums.resolve(first, exposure_);
     return first;
 }
@@ -98,10 +112,12 @@ void PictureMaker::write(const std::filesystem::path& path, const Frame& left, c
     if (arguments_.format() == PictureFormat::hdr) return write_hdr(path, left);
     if (arguments_.format() == PictureFormat::exr) {
         const Frame* eyes[] = {&left, right};
+        if (right && display_.swap_eyes) std::swap(eyes[0], eyes[1]);
         return write_exr(path, std::span<const Frame* const>(eyes, right ? 2 : 1), notes());
     }
-    if (arguments_.sheet) return write_picture(path, contact_sheet(left, step_limit, display_), notes());
-    write_picture(path, picture(left, right ? *right : left, display_, step_limit), notes());
+    renderer::Picture drawn = arguments_.sheet ? contact_sheet(left, step_limit, display_)
+                                               : picture(left, right ? *right : left, display_, step_limit);
+    write_picture(path, enlarged(drawn, arguments_.enlarge), notes());
 }
 
 renderer::FileNotes PictureMaker::notes() const

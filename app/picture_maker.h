@@ -22,7 +22,7 @@ public:
     int samples() const { return samples_; }
 
 private:
-    renderer::Frame draw(const renderer::FrameRequest& request);
+    renderer::Frame draw(const renderer::FrameRequest& picture, const renderer::Exposure& exposure, int sample);
     renderer::Frame eye(renderer::Eye eye, float time);
     void write(const std::filesystem::path& path, const renderer::Frame& left, const renderer::Frame* right) const;
     renderer::FileNotes notes() const;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int side_limit_px = 16384;
 constexpr std::int64_t area_limit_px = 64'000'000;
-constexpr int grid_limit = 64;
+constexpr int grid_limit = 64, enlargement_limit = 16;
 
 std::optional<std::pair<int, int>> parse_size(const std::string& text)
 {
@@ -76,6 +76,10 @@ void add_picture(CLI::App& command, RenderArguments& arguments)
     command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels")->check(size_error)->capture_default_str();
     command.add_option("--tile", arguments.tile,
                        "Draw a part only: X,Y,WIDTH,HEIGHT in pixels from the top left, or N/M, the Nth of M bands");
+    command
+        .add_option("--enlarge", arguments.enlarge,
+                    "N: every pixel becomes N x N of the file, to see it; .png and .jpg only")
+        ->check(CLI::Range(1, enlargement_limit));
     command.add_option("--device", arguments.device, "auto draws on a hardware GPU, else on the CPU")
         ->check(CLI::IsMember({"gpu", "cpu", "auto"}))
         ->capture_default_str();
@@ -88,6 +92,10 @@ void add_light(CLI::App& command, RenderArguments& arguments)
         ->check(CLI::Range(1, graph::samples_maximum));
     command.add_option("--grid", arguments.grid, "N x N samples of a pixel on a regular grid instead of --samples")
         ->check(CLI::Range(1, grid_limit));
+    command
+        .add_option("--anti-aliasing", arguments.anti_aliasing,
+                    "coverage: where an edge passes through a pixel, both sides share each of its samples; none")
+        ->check(CLI::IsMember(as_strings(graph::anti_aliasing_names)));
     command.add_option("--shutter", arguments.shutter, "Seconds that a picture is exposed, for motion blur")
         ->check(CLI::Range(0.0, 100.0));
     command.add_option("--exposure", arguments.exposure, "Stops, each of which doubles the light; .png and .jpg only")
@@ -148,6 +156,7 @@ void require_sense(const RenderArguments& arguments)
         refuse("--view and --sheet are for .png and .jpg; .exr holds every buffer as a layer");
     if (of_light && (!arguments.tone_map.empty() || arguments.exposure))
         refuse("--tone-map and --exposure are for .png and .jpg; .hdr and .exr hold the light itself");
+    if (of_light && arguments.enlarge > 1) refuse("--enlarge is for .png and .jpg, to be looked at");
     if (format == PictureFormat::hdr && arguments.has_stereo()) refuse("--stereo needs .png, .jpg or .exr");
     if (arguments.sheet && arguments.has_stereo()) refuse("--sheet shows one eye; leave --stereo out");
     if (arguments.sheet && !arguments.tile.empty()) refuse("--sheet shows whole pictures; leave --tile out");
@@ -177,6 +186,8 @@ void change_settings(graph::Document& document, const RenderArguments& arguments
     if (!arguments.tone_map.empty())
         picture.tone_map = by_name<graph::ToneMap>(graph::tone_map_names, arguments.tone_map);
     if (!arguments.backdrop.empty()) set_backdrop(picture, arguments.backdrop);
+    if (!arguments.anti_aliasing.empty())
+        document.march.coverage = by_name<bool>(graph::anti_aliasing_names, arguments.anti_aliasing);
     document.animation.frames_per_second = arguments.frames_per_second.value_or(document.animation.frames_per_second);
     auto format = arguments.format();
     bool has_alpha = format == renderer::PictureFormat::png || format == renderer::PictureFormat::exr;

@@ -46,6 +46,7 @@ void set_display(renderer::PictureRequest& request, const ui::ViewState& view, c
     display.full_scale = view.full_scale;
     if (view.view == "slice") request.frame.slice = slice_of(view, readings);
     request.frame.layers = renderer::kind_of(display.view).layers;
+    request.frame.counts = view.panel == ui::Panel::cost;
     set_stereo(request, view, readings);
     const ui::StereoChoice* mode = ui::find_choice(readings.stereo_modes, view.stereo);
     bool apart = mode && display.stereo != renderer::Stereo::off;

@@ -3,13 +3,10 @@
 
 #include "app/choices.h"
 #include "app/library_reload.h"
-#include "app/shown_display.h"
 #include "app/user_nodes.h"
 #include "app/view_memory.h"
 #include "assets/font_file.h"
 #include "codegen/glsl.h"
-#include "field/evaluator.h"
-#include "graph/expansion.h"
 #include "graph/scene_file.h"
 #include "ui/group_actions.h"
 #include "ui/transport.h"
@@ -24,7 +21,6 @@ constexpr double frame_s = 1.0 / 60;      // while something moves
 constexpr double frame_share = 0.5;       // of the time, at most: the picture is drawn on the same cores
 constexpr double script_s = 0.05;         // between the looks of a script at a window at rest
 constexpr double lively_s = 0.35;         // frames go on this long after the last input: fades, hovering, framing
-constexpr double settling_s = 0.15;       // a hand this long at rest gets a picture in full
 constexpr double first_picture_s = 0.03;  // a frame waits this long for the picture of what it shows, at most,
 constexpr double edit_frame_s = 0.047;    // and so long that with drawing the window it takes this
 constexpr double draw_memory = 0.95;      // of a frame that took long to draw, at the next one
@@ -33,29 +29,6 @@ constexpr double watch_s = FolderWatch::interval_s;
 constexpr double blink_s = 0.4;  // of the text cursor
 constexpr assets::WorkerLimits trial_limits{
     .memory_bytes = 1 << 30, .cpu_s = 15, .wall_s = 20, .answer_bytes = 1 << 20};
-
-renderer::ViewCamera renderer_camera(const ui::ViewCamera& camera)
-{
-    return {.position = camera.drawn_from(),
-            .target = camera.pivot,
-            .up = camera.up(),
-            .field_of_view_rad = camera.field_of_view_rad,
-            .orthographic_height = camera.orthographic ? camera.height_at_pivot() : 0};
-}
-
-bool same_picture(const renderer::PictureRequest& a, const renderer::PictureRequest& b)
-{
-    return a.program == b.program && a.frame == b.frame && a.display == b.display && a.exposure == b.exposure;
-}
-
-// "CPU", or "GPU" with the driver's own name for it; nothing before there is a picture.
-std::string device_words(const std::optional<renderer::DrawnPicture>& drawn, const renderer::RenderStatus& status)
-{
-    if (!drawn) return {};
-    if (drawn->device == renderer::Device::cpu) return "CPU";
-    std::string name = status.gpu.substr(0, status.gpu.find_first_of("(,/"));
-    return "GPU " + name.substr(0, name.find_last_not_of(' ') + 1);
-}
 
 std::optional<std::filesystem::path> user_nodes(const WorkbenchOptions& options)
 {
@@ -313,136 +286,6 @@ void Workbench::review_code()
     session_.judge_again();
     lower_scene();
     touch();
-}
-
-void Workbench::fill_readings()
-{
-    readings_.program = scene_.program();
-    std::string open = ui::shown_group(session_.document(), editor_.view);
-    const graph::Group* group = graph::find_group(session_.document(), open);
-    readings_.problems = ui::shown_problems(scene_.problems(), group ? group->graph : session_.document().root);
-    readings_.missed_cells = scene_.missed_cells();
-    for (const std::string& error : {reload_error_, compile_error_, autosave_.failure()})
-        if (!error.empty()) readings_.problems.push_back({{}, error});
-    for (const auto& [name, error] : session_.library()->left_out_of(graph::Origin::user_folder))
-        readings_.problems.push_back({{}, "your node " + name + ": " + sentence(error)});
-    bool reads_shader = editor_.view.panes.shown && editor_.view.panel == ui::Panel::shader;
-    readings_.shader_text = reads_shader ? scene_.shader_text(static_cast<float>(editor_.view.time_s)) : nullptr;
-    readings_.picture.texture = picture_.texture();
-    readings_.picture.width = picture_.size().x;
-    readings_.picture.height = picture_.size().y;
-    renderer::RenderStatus rendering = render_thread_.status();
-    readings_.picture.compiling = rendering.compiling;
-    readings_.picture.device = device_words(drawn_, rendering);
-    readings_.step_names = session_.history().names();
-    readings_.step = session_.history().step();
-    readings_.file_name = session_.name();
-    readings_.file_path = session_.path() ? session_.path()->string() : "";
-    readings_.dirty = session_.dirty();
-    readings_.changed_on_disk = session_.changed_on_disk();
-    readings_.overwrite_warning = session_.overwrite_warning();
-    readings_.recent.clear();
-    for (const RecentFile& file : recent_.entries()) readings_.recent.push_back({file.path.string(), file.missing});
-    readings_.dialog_open = dialog_.is_open();
-    readings_.time_s = editor_.view.time_s;
-    readings_.has_camera = scene_.has_camera();
-    ray_.follow(scene_.program(), static_cast<float>(editor_.view.time_s));
-    readings_.ray = ray_.reading();
-    readings_.node_costs = node_costs_.costs();
-    bool shows_cost = editor_.view.panes.shown && editor_.view.panel == ui::Panel::cost;
-    if (shows_cost && requested_ && picture_.of_rays())
-        steps_texture_.show(picture_.of_rays(), requested_->display, requested_->program->march.step_limit);
-    readings_.steps_picture = shows_cost ? steps_texture_.reading() : ui::StepsPicture{};
-    window_.rename(session_.title() + " - Fieldwright");
-}
-
-// Whether there was one.
-bool Workbench::take_result()
-{
-    std::optional<renderer::RenderResult> result = render_thread_.poll();
-    if (!result) return false;
-    frames_owed_ = std::max(frames_owed_, 2);  // the second for what follows from the first: a statistic, a legend
-    ui::PictureReading& reading = readings_.picture;
-    if (auto* drawn = std::get_if<renderer::DrawnPicture>(&*result)) {
-        picture_.show(drawn->picture, drawn->frame, drawn->of_slice);
-        shown_generation_ = drawn->generation;
-        if (awaited_generation_ && shown_generation_ >= awaited_generation_) awaited_generation_ = 0, hurried_ = true;
-        reading.full = drawn->final;
-        reading.samples = drawn->samples;
-        reading.draw_ms = static_cast<float>(drawn->ms);
-        reading.mean_steps = static_cast<float>(drawn->steps.mean);
-        reading.p99_steps = drawn->steps.p99;
-        reading.max_steps = drawn->steps.largest;
-        reading.fighting_share = drawn->fighting_share;
-        reading.evaluations = static_cast<double>(drawn->steps.evaluations);
-        reading.exhausted_share = static_cast<float>(drawn->steps.exhausted);
-        drawn_ = std::move(*drawn);
-        write_export();
-    } else if (auto* failed = std::get_if<renderer::CompileFailed>(&*result)) {
-        compile_error_ = failed->log;
-        refused_generation_ = failed->generation;
-    } else if (auto* broken = std::get_if<renderer::Failed>(&*result)) {
-        say(broken->sentence, true);
-    }
-    return true;
-}
-
-// Once a newer picture is drawn and nobody complained again.
-void Workbench::forget_refusal()
-{
-    if (compile_error_.empty() || requested_->generation == refused_generation_ || render_thread_.status().busy) return;
-    compile_error_.clear();
-    touch();
-}
-
-// In full, and with all of its samples.
-bool Workbench::picture_finished() const
-{
-    const ui::PictureReading& picture = readings_.picture;
-    return picture.full && picture.samples >= picture.samples_wanted && shown_generation_ == asked_generation();
-}
-
-// Layers that are drawn already stay as long as the picture does: without them it would be drawn anew.
-void Workbench::keep_layers(renderer::PictureRequest& request) const
-{
-    if (!requested_ || request.frame.layers || !requested_->frame.layers) return;
-    request.frame.layers = true;
-    request.frame.layers = same_picture(*requested_, request);
-}
-
-// Whether another scene is asked for, by a hand that is done.
-bool Workbench::request_picture(bool hands_moving)
-{
-    renderer::PictureRequest request = wanted_picture();
-    keep_layers(request);
-    if (request.frame.width < 8 || request.frame.height < 8) return false;
-    if (!requested_ || !same_picture(*requested_, request)) last_change_s_ = now_s();
-    // A hand that holds still, or types, waits for the whole picture.
-    request.interacting = editor_.view.playing || (hands_moving && now_s() - last_change_s_ < settling_s);
-    if (requested_ && same_picture(*requested_, request) && requested_->interacting == request.interacting)
-        return false;
-    bool edited = !request.interacting && (!requested_ || requested_->program != request.program);
-    request.generation = requested_ ? requested_->generation + 1 : 1;
-    requested_ = request;
-    readings_.picture.samples_wanted = renderer::wanted_samples(request);
-    render_thread_.request(request);
-    return edited;
-}
-
-renderer::PictureRequest Workbench::wanted_picture() const
-{
-    const ui::ViewState& view = editor_.view;
-    renderer::PictureRequest request;
-    request.program = scene_.program();
-    request.frame.time = static_cast<float>(view.time_s);
-    if (!view.through_camera || !scene_.has_camera()) request.frame.camera = renderer_camera(view.camera);
-    const graph::PictureSettings& settings = session_.document().picture;
-    request.exposure = renderer::exposure_of(settings);
-    request.exposure.checkered = true;
-    request.display.look = renderer::look_of(settings);
-    set_display(request, view, readings_, editor_.viewport_size_px());
-    if (export_) export_->prepare(request);
-    return request;
 }
 
 // Another document is shown: everything derived from the old one goes.

@@ -50,14 +50,14 @@ bool sets_members_of_reflection(const MaterialCall& made)
     return made.mentions({".reflection", ".transmission", ".refraction_index", ".absorption"});
 }
 
-// Whether an argument called `reflection` is a constant 0.
-bool turned_off(const Program& program, const Instruction& call, std::span<const float> block)
+// Whether the argument of that name is a constant 0.
+bool turned_off(const Program& program, const Instruction& call, std::string_view name, std::span<const float> block)
 {
     const auto& arguments = call.function->arguments;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         auto id = program.arguments[static_cast<std::size_t>(call.first_argument) + i];
         const graph::ProgramValue& value = program.values[static_cast<std::size_t>(id)];
-        if (arguments[i].name == "reflection" && value.rate == graph::Rate::constant)
+        if (arguments[i].name == name && value.rate == graph::Rate::constant)
             return block[static_cast<std::size_t>(value.slot)] == 0.0f;
     }
     return false;
@@ -67,12 +67,32 @@ bool reflects(const Program& program, const MaterialCall& made, std::span<const 
 {
     if (made.mentions({"with_transmission("}) || sets_members_of_reflection(made)) return true;
     bool mirrors = made.mentions({"with_reflection(", "with_microfacets("});
-    return mirrors && !turned_off(program, made.call, block);
+    return mirrors && !turned_off(program, made.call, "reflection", block);
+}
+
+bool transmits(const MaterialCall& made) { return made.mentions({"with_transmission(", ".transmission"}); }
+
+bool tints_shadows(const Program& program, const MaterialCall& made, std::span<const float> block)
+{
+    return transmits(made) && !turned_off(program, made.call, "shadow", block);
+}
+
+// Whether where rays cross the lens matters.
+bool has_lens(const Program& program, std::span<const float> block)
+{
+    auto first = program.instructions.begin() + program.ray.first;
+    return std::any_of(first, program.instructions.begin() + program.ray.last, [&](const Instruction& call) {
+        if (!call.function) return false;
+        const auto& arguments = call.function->arguments;
+        bool takes_it = std::any_of(arguments.begin(), arguments.end(),
+                                    [](const graph::Argument& argument) { return argument.name == "lens"; });
+        return takes_it && !turned_off(program, call, "aperture", block);
+    });
 }
 
 }  // namespace
 
-Features features_of(const Program& program, std::span<const float> block, bool layers)
+Features features_of(const Program& program, std::span<const float> block, bool layers, bool counts)
 {
     const std::vector<MaterialCall> materials = material_calls(program);
     auto any = [&](const auto& test) { return std::any_of(materials.begin(), materials.end(), test); };
@@ -81,10 +101,17 @@ Features features_of(const Program& program, std::span<const float> block, bool 
     features.bounces =
         program.bounces > 0 && any([&](const MaterialCall& made) { return reflects(program, made, block); });
     features.reflection = features.bounces || any(sets_members_of_reflection);
+    features.transmission =
+        any([&](const MaterialCall& made) { return transmits(made) || made.mentions({"with_shadow("}); });
+    features.tinted_shadows = features.bounces && graph::shadow_count(program) > 0 &&
+                              any([&](const MaterialCall& made) { return tints_shadows(program, made, block); });
+    features.lens = has_lens(program, block);
     features.fog = program.fog.density > 0.0f;
     features.bisects = program.march.constant_steps;
     features.cones = layers || graph::tracks_cone(program) || graph::shadow_count(program) > most_bits;
+    features.coverage = program.march.coverage;
     features.layers = layers;
+    features.counts = counts || layers;
     return features;
 }
 
@@ -97,10 +124,15 @@ graph::ShaderParts shader_parts(const Features& features)
     add(features.microfacets, "MICROFACETS");
     add(features.reflection, "REFLECTION");
     add(features.bounces, "BOUNCES");
+    add(features.transmission, "TRANSMISSION");
+    add(features.tinted_shadows, "TINTED_SHADOWS");
+    add(features.lens, "LENS");
     add(features.fog, "FOG");
     add(features.bisects, "BISECTS");
     add(features.cones, "CONES");
+    add(features.coverage, "COVERAGE");
     add(features.layers, "LAYERS");
+    add(features.counts, "COUNTS");
     return parts;
 }
 

@@ -36,7 +36,9 @@ std::string shading_texts(const graph::Program& program, const Features& feature
 {
     std::vector<const char*> files = {"render/march.glsl", "render/shading.glsl"};
     if (features.bounces) files.push_back("render/bounce.glsl");
+    if (features.tinted_shadows) files.push_back("render/tinted_shadow.glsl");
     if (features.fog) files.push_back("render/fog.glsl");
+    if (features.coverage) files.push_back("render/coverage.glsl");
     return library_texts(program, files, shader_parts(features));
 }
 
@@ -44,7 +46,9 @@ std::string pixel_text(const graph::Program& program, const Features& features)
 {
     std::string text;
     if (features.bounces) text += "const int BOUNCES = " + std::to_string(program.bounces) + ";\n\n";
-    return text + graph::with_parts(program.library->text("gpu/pixel.glsl"), shader_parts(features)) + "\n";
+    for (const char* file : {"gpu/sight.glsl", "gpu/pixel.glsl"})
+        text += graph::with_parts(program.library->text(file), shader_parts(features)) + "\n";
+    return text;
 }
 
 // As the shader declares them.
@@ -93,8 +97,8 @@ std::string march_structure(const graph::Program& program, const Features& featu
     return "March scene_march(March march)\n{\n" + set("bisects", features.bisects) +
            set("central_normals", program.march.central_normals) +
            set("smallest_occlusion", program.occlusion.smallest_ratio) + set("tracks_cone", features.cones) +
-           (program.march.own_step_scale ? "" : "    march.step_scale = 1.0;\n") +
-           "    return march;\n}\n\n";
+           (features.tinted_shadows ? set("tints_shadows", true) : "") +
+           (program.march.own_step_scale ? "" : "    march.step_scale = 1.0;\n") + "    return march;\n}\n\n";
 }
 
 std::string device_shader(const graph::Program& program, std::span<const float> block, Placement placement,
@@ -108,6 +112,7 @@ std::string device_shader(const graph::Program& program, std::span<const float> 
     text += "#version 330\n\n" + parts_comment(parts) + device_inputs(program, printer.reads_block());
     text += library_texts(program, field_files, parts);
     if (picture) text += shading_texts(program, features) + library_texts(program, eye_files, parts);
+    if (picture && features.lens) text += program.library->text("render/lens.glsl") + "\n";
     text += formula_texts(program);
     text += printer.node_functions();
     text += scene;
@@ -147,14 +152,18 @@ std::string export_lists(const graph::Program& program)
     return text + "vec4 list_at(List list, int index)\n{\n    return LIST_DATA[list.first + index];\n}\n\n";
 }
 
-std::string march_constants(const graph::Program& program)
+std::string march_constants(const graph::Program& program, const Features& features)
 {
     const graph::MarchSettings& march = program.march;
     const graph::OcclusionSettings& occlusion = program.occlusion;
     auto flag = [](bool on) { return on ? ", 1" : ", 0"; };
-    return "// Marching: step limit, minimum step, tolerance, near, far, out of steps hits, step scale, constant step, "
-           "normal step;\n// occlusion samples, strength and radius; bisects, central normals, smallest occlusion, "
-           "tracks cone.\n"
+    return std::string(
+               "// Marching: step limit, minimum step, tolerance, near, far, out of steps hits, step scale, constant "
+               "step, "
+               "normal step;\n// occlusion samples, strength and radius; bisects, central normals, smallest occlusion, "
+               "tracks cone") +
+           (features.tinted_shadows ? ", tints shadows" : "") +
+           ".\n"
            "const March MARCH = March(" +
            std::to_string(march.step_limit) + ", " + number(march.minimum_step) + ", " + number(march.tolerance) +
            ", " + number(march.near) + ", " + number(march.far) + flag(march.out_of_steps_hits) + ", " +
@@ -162,15 +171,17 @@ std::string march_constants(const graph::Program& program)
            ", " + std::to_string(occlusion.samples) + ", " + number(occlusion.strength) + ", " +
            number(occlusion.radius) + flag(march.constant_steps) + flag(march.central_normals) +
            flag(occlusion.smallest_ratio) + flag(graph::tracks_cone(program)) +
+           (features.tinted_shadows ? flag(true) : "") +
            ");\nconst int STEP_BUDGET = " + std::to_string(program.step_budget) + ";\n\n";
 }
 
 // How its pixels are shown. Only scenes with a look of their own pay for it.
-std::string look_texts(const graph::Program& program, const graph::PictureSettings& picture)
+std::string look_texts(const graph::Program& program, const graph::PictureSettings& picture,
+                       const graph::ShaderParts& parts)
 {
     bool plain =
         picture.tone_map == graph::ToneMap::none && picture.exposure == 0 && picture.backdrop == graph::Backdrop::sky;
-    if (plain) return program.library->text("export/plain.glsl") + "\n";
+    if (plain) return graph::with_parts(program.library->text("export/plain.glsl"), parts) + "\n";
     bool coloured = picture.backdrop == graph::Backdrop::colour;
     glm::vec3 colour = coloured ? picture.backdrop_colour : glm::vec3(0);
     return "// Tone map: 1 Neutral, 2 AgX, 3 ACES. Backdrop: 1 a colour, 2 transparent. Exposure in stops.\n"
@@ -180,7 +191,7 @@ std::string look_texts(const graph::Program& program, const graph::PictureSettin
            ";\nconst int BACKDROP = " + std::to_string(static_cast<int>(picture.backdrop)) +
            ";\nconst vec3 BACKDROP_COLOUR = vec3(" + number(colour.x) + ", " + number(colour.y) + ", " +
            number(colour.z) + ");\n\n" + program.library->text("render/tone_map.glsl") + "\n" +
-           program.library->text("export/look.glsl") + "\n";
+           graph::with_parts(program.library->text("export/look.glsl"), parts) + "\n";
 }
 
 std::string fog_constant(const graph::FogSettings& fog)
@@ -214,9 +225,9 @@ std::string print_scene(const graph::Program& program, std::span<const float> bl
 }
 
 std::string print_fragment_shader(const graph::Program& program, std::span<const float> block, Placement placement,
-                                  bool layers)
+                                  bool layers, bool counts)
 {
-    const Features features = features_of(program, block, layers);
+    const Features features = features_of(program, block, layers, counts);
     return device_shader(program, block, placement, features, true, "gpu/main.glsl");
 }
 
@@ -259,9 +270,9 @@ std::string print_export(const graph::Program& program, const graph::Document& d
     if (nodes.find("List ") != std::string::npos) text += export_lists(program);
     text += library_texts(program, field_files, parts) + shading_texts(program, features);
     text += program.library->text("render/views.glsl") + "\n";
-    text += formula_texts(program) + nodes + march_constants(program);
+    text += formula_texts(program) + nodes + march_constants(program, features);
     if (features.fog) text += fog_constant(program.fog);
-    text += frame + scene + pixel_text(program, features) + look_texts(program, document.picture);
+    text += frame + scene + pixel_text(program, features) + look_texts(program, document.picture, parts);
     const char* main_file = target == "glsl" ? "export/glsl.glsl" : "export/shadertoy.glsl";
     return text + graph::with_parts(program.library->text(main_file), parts);
 }

@@ -20,9 +20,9 @@ enum class Placement {
 std::string print_scene(const graph::Program& program, std::span<const float> block, Placement placement);
 
 // The fragment shader of the GPU device (`#version 330`): pictures into three buffers, or with layers into eight
-// (shaders/gpu/main.glsl).
+// (shaders/gpu/main.glsl). `counts`: with the evaluations of the field.
 std::string print_fragment_shader(const graph::Program& program, std::span<const float> block, Placement placement,
-                                  bool layers = false);
+                                  bool layers = false, bool counts = false);
 // The fragment shader that writes one distance per pixel (shaders/gpu/distances.glsl).
 std::string print_distance_shader(const graph::Program& program, std::span<const float> block, Placement placement);
 

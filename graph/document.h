@@ -42,6 +42,7 @@ struct MarchSettings {
     bool own_step_scale = false;   // else distances are divided by the derived Lipschitz constants
     bool constant_steps = false;   // with bisection; else sphere tracing
     bool central_normals = false;  // six taps; else the four of a tetrahedron
+    bool coverage = false;  // edges within a pixel of an eye ray share its light; else it is that of the ray alone
     bool operator==(const MarchSettings&) const = default;
 };
 

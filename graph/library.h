@@ -34,14 +34,16 @@ enum class ParameterKind {
     image
 };
 
-// Declared once in a node file: by the comment of an argument, `default [min, max] unit  help` or
+// Declared once in a node file: by the comment of an argument, `default [min, max] unit  help` (after the default may
+// stand `older VALUE`) or
 // `formula "default" over half_size  help` or `image  help`, or by a header line, `text NAME: "default"  help` or
-// `number NAME: default ...  help`.
+// `number NAME: default ...  help` or `switch NAME: default ...  help`.
 struct Parameter {
     std::string name;
     ParameterKind kind = ParameterKind::number;
     Type type;
     Value initial;                         // as in documents: angles in degrees, colours linear
+    std::optional<Value> older;            // what files from before this parameter mean, where that is not `initial`
     double minimum = -1e6, maximum = 1e6;  // hard, per component, inclusive
     double soft_minimum = -1e6, soft_maximum = 1e6;
     std::string unit;  // "m", "deg", "1/m", "s", "" ...
@@ -82,6 +84,8 @@ struct NodeType {
     int most_inputs =
         0;  // of a combiner of many (`// inputs: up to N`): how many fields `_distance(a, b)` folds; else 0
     float declared_lipschitz = 1;  // `// lipschitz: L`: of an own type, whose functions the CPU does not run
+    std::string follows;           // a type, the first node of which gives its parameters of the same names ...
+    std::string follows_while;     // ... while this switch is on
     std::vector<Parameter> parameters;
     std::vector<Socket> inputs;  // field inputs first, then one per wireable parameter
     SocketKind output = SocketKind::none;

@@ -2,8 +2,10 @@
 #include "graph/contours.h"
 #include "graph/drawing.h"
 #include "graph/known_types.h"
+#include "graph/leader.h"
 #include "graph/lowering.h"
 #include "graph/outline.h"
+#include "graph/words.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -110,9 +112,34 @@ ValueId Lowering::point_argument(int, const Type& type, Context context)
     return converted;
 }
 
+// The node that an index follows, or -1.
+int Lowering::leader(int index)
+{
+    if (!wants_leader(node(index), type(index))) return -1;
+    auto [known, is_new] = leader_memo_.try_emplace(index, -1);
+    if (!is_new) return known->second;
+    const Node* leader = leader_of(document_.root, node(index), type(index));
+    int found = leader ? index_of(leader->id) : -1;
+    bool usable = found >= 0 && types_[static_cast<std::size_t>(found)];
+    if (!usable) tell_no_leader(index);
+    return known->second = usable ? found : -1;
+}
+
+void Lowering::tell_no_leader(int index)
+{
+    const NodeType* wanted = builder_.library().type(type(index).follows);
+    std::string title = inside_a_sentence(wanted ? wanted->title : type(index).follows);
+    note(node(index).id, "there is no " + title + " to follow, so its own values count: add a " + title +
+                             ", unmute one, or turn off " + in_words(type(index).follows_while));
+}
+
 ValueId Lowering::parameter(int index, int parameter_index, Context context)
 {
     const Parameter& parameter = type(index).parameters[static_cast<std::size_t>(parameter_index)];
+    if (int leader = this->leader(index); leader >= 0 && is_led(node(index), parameter, type(leader))) {
+        const Parameter* given = type(leader).parameter(parameter.name);
+        return this->parameter(leader, static_cast<int>(given - type(leader).parameters.data()), context);
+    }
     NodeId wired = node(index).inputs.empty() ? NodeId{} : node(index).input(parameter.name);
     if (parameter.kind == ParameterKind::material) {
         int source = other_source(index, parameter.name, SocketKind::material);

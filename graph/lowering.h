@@ -101,6 +101,8 @@ private:
     ValueId argument(int index, const Argument& argument, Context context, const Bindings& bindings);
     ValueId point_argument(int index, const Type& type, Context context);
     ValueId parameter(int index, int parameter, Context context);
+    int leader(int index);
+    void tell_no_leader(int index);
     ValueId stored_parameter(int index, int parameter);
     ValueId wired_parameter(int index, const Parameter& parameter, Context context);
     ValueId constant_of(const Parameter& parameter, const Value& value, NodeId node);
@@ -158,6 +160,7 @@ private:
     std::vector<int> stored_offset_;                                   // by node index: its first parameter in stored_
     std::vector<ValueId> stored_;                                      // parameters from the document
     std::map<std::pair<NodeId, std::string_view>, Formula> formulas_;  // by parameter
+    std::unordered_map<int, int> leader_memo_;                         // by node index that wants one; -1 without
     std::unordered_map<int, ValueId> slope_memo_;
     std::map<const BakedImage*, ValueId> image_lists_;
     std::unordered_map<int, int> needs_memo_;

@@ -45,6 +45,7 @@ public:
         for (Parameter& parameter : type_.parameters)
             if (parameter.kind != ParameterKind::material) parameter.value_index = values++;
         sockets();
+        check_follows();
         if (type_.is_field() && !has_quality_)
             fail(1, "a field node needs a line `// field: exact`, `bound` or `approximate S`");
         check_promises(type_);
@@ -99,6 +100,8 @@ private:
             type_.affine = true;
         } else if (key == "inputs") {
             inputs(line, value);
+        } else if (key == "follows") {
+            follows(line, value);
         } else if (key == "lipschitz") {
             type_.declared_lipschitz = std::strtof(std::string(value).c_str(), nullptr);
             if (!(type_.declared_lipschitz >= 1 && type_.declared_lipschitz <= 1000))
@@ -108,7 +111,9 @@ private:
                 fail(line, "`combiner` is `hard` or `hard associative`");
             type_.scaling = value == "hard" ? Scaling::hard : Scaling::hard_associative;
         } else if (is_parameter(key)) {
-            Type type = key.starts_with("text ") ? Type{} : Type{BaseType::real, "float"};
+            Type type = key.starts_with("text ")     ? Type{}
+                        : key.starts_with("switch ") ? Type{BaseType::boolean, "bool"}
+                                                     : Type{BaseType::real, "float"};
             header_parameters_.push_back({type, std::string(key.substr(key.find(' ') + 1)), std::string(value), line});
         } else if (!keys_begun_) {
             type_.help += " " + std::string(trim(text));
@@ -132,7 +137,25 @@ private:
 
     static bool is_parameter(std::string_view key)
     {
-        return (key.starts_with("text ") || key.starts_with("number ")) && key.find(' ') == key.rfind(' ');
+        bool kind = key.starts_with("text ") || key.starts_with("number ") || key.starts_with("switch ");
+        return kind && key.find(' ') == key.rfind(' ');
+    }
+
+    void follows(int line, std::string_view value)
+    {
+        std::vector<std::string> words = split(value, ' ');
+        if (words.size() != 3 || words[1] != "while") fail(line, "`follows` reads `TYPE while SWITCH`");
+        type_.follows = words[0];
+        type_.follows_while = words[2];
+        follows_line_ = line;
+    }
+
+    void check_follows() const
+    {
+        if (type_.follows.empty()) return;
+        const Parameter* parameter = type_.parameter(type_.follows_while);
+        if (!parameter || parameter->kind != ParameterKind::boolean)
+            fail(follows_line_, "`" + type_.follows_while + "` is no switch of this node");
     }
 
     // A parameter that no function need receive.
@@ -146,7 +169,7 @@ private:
         type_.parameters.push_back(parameter_of(line, type_.source.path));
     }
 
-    // The texts of the header come first among the parameters, its numbers last.
+    // The texts of the header come first among the parameters, its numbers and switches last.
     void numbers_of_the_header_last(std::size_t of_header)
     {
         auto first = type_.parameters.begin(), last = first + static_cast<std::ptrdiff_t>(of_header);
@@ -297,6 +320,7 @@ private:
     NodeType type_;
     std::vector<Argument> header_parameters_;  // declared by header lines; a text has no type
     bool has_quality_ = false, keys_begun_ = false;
+    int follows_line_ = 0;
     std::vector<std::string> input_titles_;
 };
 

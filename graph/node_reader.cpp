@@ -28,7 +28,8 @@ void read_parameters(const SceneJson& json, const JsonValue* object, const NodeT
 {
     node.parameters.reserve(type.parameters.size());
     for (const Parameter& parameter : type.parameters)
-        if (parameter.kind != ParameterKind::material) node.parameters.emplace_back(parameter.name, parameter.initial);
+        if (parameter.kind != ParameterKind::material)
+            node.parameters.emplace_back(parameter.name, parameter.older.value_or(parameter.initial));
     if (!object) return;
     for (const JsonValue* member = json.first_child(*object); member; member = json.next_sibling(*member)) {
         const Parameter* parameter = type.parameter(member->key);

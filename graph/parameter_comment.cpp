@@ -84,6 +84,7 @@ private:
         std::string_view rest = trim(comment.substr(0, gap));
         std::string_view initial = take_initial(rest);
         rest.remove_prefix(initial.size());
+        std::string_view older = take_older(rest);
         choices(rest);
         ranges(rest);
         parameter_.unit = trim(rest);
@@ -93,6 +94,22 @@ private:
             fail("the default `" + std::string(initial) + "` of `" + argument_.name + "` does not fit its type");
         parameter_.initial = *value;
         refuse_bad_initial();
+        if (older.empty()) return;
+        parameter_.older = parse_value(parameter_, older);
+        if (!parameter_.older || !value_error(parameter_, *parameter_.older).empty())
+            fail("the older default `" + std::string(older) + "` of `" + argument_.name + "` does not fit");
+    }
+
+    // `older VALUE`, up to the next space.
+    static std::string_view take_older(std::string_view& rest)
+    {
+        constexpr std::string_view word = "older ";
+        rest = trim(rest);
+        if (!rest.starts_with(word)) return {};
+        rest.remove_prefix(word.size());
+        std::string_view older = take_initial(rest);
+        rest.remove_prefix(older.size());
+        return older;
     }
 
     // The default: a bracketed group or everything up to the first space.

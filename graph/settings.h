@@ -62,6 +62,7 @@ inline constexpr std::array<std::string_view, 2> out_of_steps_names = {"miss", "
 inline constexpr std::array<std::string_view, 2> march_method_names = {"sphere_tracing", "constant_steps"};
 inline constexpr std::array<std::string_view, 2> step_scale_names = {"derived", "own"};
 inline constexpr std::array<std::string_view, 2> normals_names = {"tetrahedron", "central"};
+inline constexpr std::array<std::string_view, 2> anti_aliasing_names = {"none", "coverage"};
 inline constexpr std::array<std::string_view, 2> occlusion_names = {"mean", "smallest_ratio"};
 inline constexpr std::array<std::string_view, 4> tone_map_names = {"none", "neutral", "agx", "aces"};
 inline constexpr std::array<std::string_view, 3> backdrop_names = {"sky", "colour", "transparent"};
@@ -83,6 +84,7 @@ inline constexpr std::array march_choices = {
     setting_choice<&MarchSettings::constant_steps, MarchSettings>("method", march_method_names),
     setting_choice<&MarchSettings::own_step_scale, MarchSettings>("step_scale_from", step_scale_names),
     setting_choice<&MarchSettings::central_normals, MarchSettings>("normals", normals_names),
+    setting_choice<&MarchSettings::coverage, MarchSettings>("anti_aliasing", anti_aliasing_names),
 };
 inline constexpr SettingTable<MarchSettings> march_table{march_counts, march_numbers, march_choices, {}};
 

@@ -51,7 +51,8 @@ void Accumulation::add(View& eye, const std::shared_ptr<const Frame>& sample)
 bool Accumulation::add_sample(RenderDesk& desk, FramePool& frames, Device device, const Job& job,
                               const DrawFrame& draw_frame)
 {
-    FrameRequest request = sample_of(job.request->frame, job.request->exposure, left_.sums.count());
+    FrameRequest request = job.request->frame;
+    const Exposure& exposure = job.request->exposure;
     const Watch watch{.cancelled = [&] {
         desk.wait_for_window();
         return desk.stops_fine(device, job);
@@ -61,8 +62,11 @@ bool Accumulation::add_sample(RenderDesk& desk, FramePool& frames, Device device
         if (stereo) request.eye = eye;
         std::shared_ptr<Frame> frame = frames.take(request);
         frame->alpha.clear();
-        if (!draw_frame(*frame, *job.request->program, request, watch)) return nullptr;
-        lay_backdrop(*frame, drawn_area(request), job.request->exposure, drawn_area(request));
+        auto draw_request = [&](Frame& to, const FrameRequest& sample) {
+            return draw_frame(to, *job.request->program, sample, watch);
+        };
+        if (!draw_sample(*frame, request, exposure, left_.sums.count(), draw_request)) return nullptr;
+        lay_backdrop(*frame, drawn_area(request), exposure, drawn_area(request));
         return frame;
     };
     std::shared_ptr<const Frame> left = draw(Eye::left), right = stereo && left ? draw(Eye::right) : nullptr;

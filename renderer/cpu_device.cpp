@@ -82,6 +82,7 @@ bool draw_slice(Frame& frame, const graph::Program& program, const FrameRequest&
 {
     const std::vector<float> block = field::evaluate_frame(program, request.time);
     const field::Evaluator evaluator(program, program.distance);
+    frame.covered.clear();
     tbb::enumerable_thread_specific<PointEvaluator> evaluators([&] { return PointEvaluator(evaluator, block); });
     frame.evaluations = 0;
     return draw_tiles(frame, watch, [&](const Area& area) {
@@ -107,6 +108,7 @@ bool draw_on_cpu(Frame& frame, const graph::Program& program, const FrameRequest
 {
     if (request.slice) return draw_slice(frame, program, request, watch);
     const CpuScene scene(program, request);
+    frame.covered.resize(scene.features.coverage ? frame.colour.size() : 0);
     tbb::enumerable_thread_specific<TileRenderer> renderers([&] { return TileRenderer(scene); });
     bool drawn = draw_tiles(frame, watch, [&](const Area& area) { return renderers.local().draw(area, frame, watch); });
     frame.evaluations = 0;
@@ -116,7 +118,8 @@ bool draw_on_cpu(Frame& frame, const graph::Program& program, const FrameRequest
 
 Frame render_on_cpu(const graph::Program& program, const FrameRequest& request, const Progress& progress)
 {
-    Frame frame(drawn_area(request).width, drawn_area(request).height, request.layers);
+    const DrawnPixels drawn = drawn_pixels(request);
+    Frame frame(drawn.width, drawn.height, request.layers);
     draw_on_cpu(frame, program, request, {.progress = progress});
     return frame;
 }

@@ -24,12 +24,14 @@ void Stage::operator()(Rows& result, const Rows& input, int count)
     for (int k = 0; k < result.lanes(); ++k) std::copy_n(workspace.result(k), count, result.lane(k));
 }
 
-CpuMarcher::CpuMarcher(const CpuScene& scene)
+CpuMarcher::CpuMarcher(const CpuScene& scene, Of of)
     : scene_(scene),
+      of_(of),
       distance_(scene.distance, scene.block),
-      marching_(scene.lanes.probe),
+      marching_(of == Of::edges ? scene.lanes.edge : scene.lanes.probe),
       advanced_(scene.lanes.probe),
       narrowed_(scene.lanes.probe),
+      next_edge_(of == Of::edges ? scene.lanes.edge : 0),
       point_(3),
       d_(1),
       done_(1),
@@ -38,14 +40,17 @@ CpuMarcher::CpuMarcher(const CpuScene& scene)
 {
 }
 
-bool CpuMarcher::march(Rows& probes, const Rows* sides, Pixels waiting, const Watch& watch)
+bool CpuMarcher::march(Rows& probes, const Rows* sides, Pixels waiting, const Rows& settings, const Watch& watch)
 {
     int active = 0;
     while (active < row_width && !waiting.empty()) take_waiting(probes, sides, waiting, active++);
     while (active > 0) {
         if (stops(watch)) return false;
-        while (refill_share * step(active, sides != nullptr) < active) {
-        }
+        int done = 0;
+        do {
+            evaluations_ += active - done;
+            done = step(active, sides != nullptr, settings);
+        } while (refill_share * done < active);
         active = replace_done(probes, sides, waiting, active);
     }
     return true;
@@ -69,21 +74,32 @@ void CpuMarcher::take_waiting(const Rows& probes, const Rows* sides, Pixels& wai
 }
 
 // One distance for each probe; how many of them are done.
-int CpuMarcher::step(int active, bool has_sides)
+int CpuMarcher::step(int active, bool has_sides, const Rows& settings)
 {
-    evaluations_ += active;
-    scene_.probe_point(point_, active, marching_, scene_.march);
+    const RowFunction& point = of_ == Of::edges ? scene_.edge_point : scene_.probe_point;
+    point(point_, active, marching_, settings);
     distance_(d_, point_, active);
     if (has_sides)
         for (int i = 0; i < active; ++i) d_.lane(0)[i] *= side_.lane(0)[i];
-    scene_.advance(advanced_, active, marching_, d_, scene_.march);
+    advance(active, settings);
+    return static_cast<int>(std::count(done_.lane(0), done_.lane(0) + active, 1.0f));
+}
+
+// The probes, or edges, after the distances; and which are done.
+void CpuMarcher::advance(int active, const Rows& settings)
+{
+    scene_.advance(advanced_, active, marching_, d_, settings);
     if (scene_.features.cones) {
-        scene_.narrowed(narrowed_, active, marching_, advanced_, d_, scene_.march);
+        scene_.narrowed(narrowed_, active, marching_, advanced_, d_, settings);
         std::swap(advanced_, narrowed_);
     }
-    std::swap(marching_, advanced_);
-    scene_.probe_done(done_, active, marching_);
-    return static_cast<int>(std::count(done_.lane(0), done_.lane(0) + active, 1.0f));
+    if (of_ == Of::probes) {
+        std::swap(marching_, advanced_);
+        return scene_.probe_done(done_, active, marching_);
+    }
+    scene_.next_edge(next_edge_, active, marching_, advanced_, d_, settings);
+    std::swap(marching_, next_edge_);
+    scene_.edge_done(done_, active, marching_);
 }
 
 // Waiting probes take the places of those that are done, then the last ones do; how many there are.

@@ -27,22 +27,27 @@ struct Stage {
 
 class CpuMarcher {
 public:
-    explicit CpuMarcher(const CpuScene& scene);
+    // What it walks: probes, or edges, whose first lanes are probes.
+    enum class Of { probes, edges };
+    explicit CpuMarcher(const CpuScene& scene, Of of = Of::probes);
 
-    // Walks the waiting pixels' probes to their end. `sides`, by pixel: factors on the distances. False when the watch
-    // cancelled it.
-    bool march(Rows& probes, const Rows* sides, Pixels waiting, const Watch& watch);
-    std::int64_t evaluations() const { return evaluations_; }  // of the field so far
+    // Walks the waiting pixels' probes to their end, by the `settings` of the march. `sides`, by pixel: factors on the
+    // distances. False when the watch cancelled it.
+    bool march(Rows& probes, const Rows* sides, Pixels waiting, const Rows& settings, const Watch& watch);
+    // Of the field so far, by probes under way: those that are done and not yet replaced do not count.
+    std::int64_t evaluations() const { return evaluations_; }
 
 private:
     bool stops(const Watch& watch);
     void take_waiting(const Rows& probes, const Rows* sides, Pixels& waiting, int to);
-    int step(int active, bool has_sides);
+    int step(int active, bool has_sides, const Rows& settings);
+    void advance(int active, const Rows& settings);
     int replace_done(Rows& probes, const Rows* sides, Pixels& waiting, int active);
 
     const CpuScene& scene_;
+    Of of_;
     Stage distance_;
-    Rows marching_, advanced_, narrowed_, point_, d_, done_, side_;  // by lane of the batch
+    Rows marching_, advanced_, narrowed_, next_edge_, point_, d_, done_, side_;  // by lane of the batch
     std::vector<int> pixel_of_;
     std::int64_t evaluations_ = 0;
     std::chrono::steady_clock::time_point last_asked_;

@@ -11,7 +11,7 @@ Rows constant_rows(float value)
     return rows;
 }
 
-Rows march_rows(const graph::Program& program)
+Rows march_rows(const graph::Program& program, bool tinted_shadows)
 {
     const graph::Library& library = *program.library;
     Rows rows(structure_lanes(library, "March"));
@@ -32,6 +32,14 @@ Rows march_rows(const graph::Program& program)
     set("central_normals", program.march.central_normals ? 1.0f : 0.0f);
     set("smallest_occlusion", program.occlusion.smallest_ratio ? 1.0f : 0.0f);
     set("tracks_cone", graph::tracks_cone(program) ? 1.0f : 0.0f);
+    set("tints_shadows", tinted_shadows ? 1.0f : 0.0f);
+    return rows;
+}
+
+Rows shadow_march_rows(const Rows& march, const field::KernelTable& table)
+{
+    Rows rows(march.lanes());
+    RowFunction("shadow_march", table)(rows, field::row_width, march);
     return rows;
 }
 
@@ -44,6 +52,13 @@ Rows fog_rows(const graph::Program& program)
     rows.fill(lane("density"), program.fog.density);
     rows.fill(lane("start"), program.fog.start);
     rows.fill(lane("height_falloff"), program.fog.height_falloff);
+    return rows;
+}
+
+Rows lens_rows(glm::vec2 lens)
+{
+    Rows rows(2);
+    for (int k = 0; k < 2; ++k) rows.fill(k, lens[k]);
     return rows;
 }
 
@@ -63,10 +78,11 @@ Rows view_rows(const graph::Library& library, const Viewpoint& view)
     return rows;
 }
 
-// As in shaders/gpu/pixel.glsl: loop iterations of a ray beside its steps.
-int ray_overhead(const graph::Program& program)
+// As in shaders/gpu/sight.glsl: loop iterations of a ray beside its steps.
+int ray_overhead(const graph::Program& program, bool tinted_shadows)
 {
-    return 1 + graph::shadow_count(program) + static_cast<int>(program.lights.size()) + 2;
+    int shadows = graph::shadow_count(program), crossings = tinted_shadows ? shadows * beam_crossings : 0;
+    return 1 + shadows + static_cast<int>(program.lights.size()) + 2 + crossings;
 }
 
 std::vector<field::Evaluator> light_evaluators(const graph::Program& program, const field::KernelTable& table)
@@ -94,6 +110,7 @@ StructureLanes::StructureLanes(const graph::Library& library)
       ray(structure_lanes(library, "Ray")),
       bounce(structure_lanes(library, "Bounce")),
       split(structure_lanes(library, "Split")),
+      beam(structure_lanes(library, "Beam")),
       probe_origin(member_lane(library, "Probe", "origin")),
       probe_direction(member_lane(library, "Probe", "direction")),
       probe_t(member_lane(library, "Probe", "t")),
@@ -108,7 +125,13 @@ StructureLanes::StructureLanes(const graph::Library& library)
       ray_direction(member_lane(library, "Ray", "direction")),
       ray_forward(member_lane(library, "Ray", "forward")),
       bounce_side(member_lane(library, "Bounce", "side")),
-      bounce_way(member_lane(library, "Bounce", "way"))
+      bounce_way(member_lane(library, "Bounce", "way")),
+      bounce_weight(member_lane(library, "Bounce", "weight")),
+      light_radiance(member_lane(library, "Light", "radiance")),
+      beam_side(member_lane(library, "Beam", "side")),
+      edge(structure_lanes(library, "Edge")),
+      footprint(structure_lanes(library, "Footprint")),
+      beyond(structure_lanes(library, "Beyond"))
 {
 }
 
@@ -126,15 +149,17 @@ CpuScene::CpuScene(const graph::Program& program, const FrameRequest& frame_requ
       sky(program, program.sky, table),
       lights(light_evaluators(program, table)),
       shadows(shadow_rows(program)),
-      march(march_rows(program)),
+      march(march_rows(program, features.tinted_shadows)),
+      march_of_shadows(shadow_march_rows(march, table)),
       fog(fog_rows(program)),
       budget(constant_rows(static_cast<float>(program.step_budget))),
       bounces(constant_rows(static_cast<float>(program.bounces))),
-      overhead(constant_rows(static_cast<float>(ray_overhead(program)))),
+      overhead(constant_rows(static_cast<float>(ray_overhead(program, features.tinted_shadows)))),
       eye(constant_rows(eye_side(frame_request.eye))),
       interaxial(constant_rows(frame_request.interaxial)),
       convergence(constant_rows(frame_request.convergence)),
       toe_in(constant_rows(frame_request.toe_in ? 1.0f : 0.0f)),
+      lens(lens_rows(frame_request.lens)),
       view_ray("view_ray", table),
       stereo_ray("stereo_ray", table),
       eye_probe("eye_probe", table),
@@ -161,7 +186,23 @@ CpuScene::CpuScene(const graph::Program& program, const FrameRequest& frame_requ
       bounce_shows("bounce_shows", table),
       mirrored_bounce("mirrored_bounce", table),
       refracted_bounce("refracted_bounce", table),
-      fog_transmittance("fog_transmittance", table)
+      fog_transmittance("fog_transmittance", table),
+      make_beam("make_beam", table),
+      beam_asks("beam_asks", table),
+      beam_point("beam_point", table),
+      beam_behind("beam_behind", table),
+      next_leg("next_leg", table),
+      beam_stopped("beam_stopped", table),
+      beam_visibility("beam_visibility", table),
+      brightness("brightness", table),
+      turned_lens("turned_lens", table),
+      make_footprint("make_footprint", table),
+      watched_edge("watched_edge", table),
+      edge_done("edge_done", table),
+      edge_point("edge_point", table),
+      next_edge("next_edge", table),
+      edge_beyond("edge_beyond", table),
+      beyond_ray("beyond_ray", table)
 {
     if (request.camera) view = view_rows(*program.library, viewpoint_of(*request.camera));
 }

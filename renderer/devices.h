@@ -34,7 +34,7 @@ public:
     // Draws over the frame, which has the size of the request's part, from the top; false when the watch cancelled it.
     bool draw(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch);
     // The shader that would draw the program, and whether it is linked: of the last few texts, so that undo is at once.
-    std::string shader_text(const graph::Program& program, float time, bool layers = false) const;
+    std::string shader_text(const graph::Program& program, const FrameRequest& request) const;
     bool linked(const std::string& text) const;
     // Links it and draws one pixel, since drivers finish compiling at the first draw. Blocks; Failure{6} on GLSL errors.
     void link(const std::string& text, bool layers = false);

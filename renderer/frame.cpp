@@ -32,6 +32,16 @@ Area drawn_area(const FrameRequest& request)
     return request.part.value_or(Area{0, 0, request.width, request.height});
 }
 
+DrawnPixels drawn_pixels(const FrameRequest& request)
+{
+    const auto& [step, x, y] = request.lattice;
+    const Area area = drawn_area(request);
+    auto first = [&](int from, int remainder) { return from + ((remainder - from) % step + step) % step; };
+    auto count = [&](int from, int end) { return std::max((end - from + step - 1) / step, 0); };
+    int left = first(area.x, x), top = first(area.y, y);
+    return {left, top, step, count(left, area.x + area.width), count(top, area.y + area.height)};
+}
+
 Layers::Layers(std::size_t pixels)
     : ambient(pixels),
       diffuse(pixels),

@@ -38,6 +38,12 @@ struct Area {
     bool operator==(const Area&) const = default;
 };
 
+// Every `step`-th pixel of a picture across and down: those whose x and y (from the top) leave these remainders.
+struct Lattice {
+    int step = 1, x = 0, y = 0;
+    bool operator==(const Lattice&) const = default;
+};
+
 struct FrameRequest {
     int width = 640, height = 360;  // px, of the whole picture
     float time = 0;                 // s
@@ -48,15 +54,24 @@ struct FrameRequest {
     std::optional<ViewCamera> camera = std::nullopt;  // else the scene's camera node
     std::optional<Slice> slice = std::nullopt;  // shows the field on a plane instead; eyes and camera do not count
     std::optional<Area> part = std::nullopt;    // of the picture, that alone is drawn: frames have its size
+    Lattice lattice;                            // of the part's pixels, those alone are drawn: frames have their number
     // One of a pixel's samples (renderer/samples.h).
     glm::vec2 offset{0};  // px from the pixel's centre, y up
-    glm::vec2 lens{0};    // where its ray crosses the camera's lens, in the unit disk
+    glm::vec2 lens{0};    // where its ray crosses the camera's lens, in the unit disk; each pixel turns it
     bool layers = false;  // a second shader, compiled when first asked for
+    bool counts = false;  // too: how often the field was evaluated; the CPU device always tells
+    bool sky = true;  // where edges share pixels: it shows behind them, else nothing does and a backdrop is laid there
 
     bool operator==(const FrameRequest&) const = default;
 };
 
 Area drawn_area(const FrameRequest& request);  // the part of the picture, or all of it
+
+// The pixels that a request draws: the first one in the picture, y from the top, how far the next ones are, and how many.
+struct DrawnPixels {
+    int x, y, step, width, height;
+};
+DrawnPixels drawn_pixels(const FrameRequest& request);
 
 // What the colour is made of and how it was found, by pixel like a frame's rows. In linear Rec.709
 //   colour = ambient + diffuse + specular + reflection + emission,
@@ -92,10 +107,12 @@ struct Frame {
     std::vector<int> node_id, material_id;  // 0 on a miss, and where the program was lowered without ids
     std::vector<int> steps;                 // of the eye ray
     std::vector<unsigned char> exhausted;   // 1 where the step budget or limit ran out
+    // Share of the pixel in which something was hit, where edges share pixels; empty: 0 on a miss, else 1.
+    std::vector<float> covered;
     // Share of the pixel that is opaque; empty: all of it is. Where it is less than 1, colours are multiplied by it.
     std::vector<float> alpha;
     std::optional<Layers> layers;  // when the request asked for them
-    std::int64_t evaluations = 0;  // of the field, by all rays together; 0 where the device does not count
+    std::int64_t evaluations = 0;  // of the field, by all rays together; 0 of a slice, and of what was not counted
 };
 
 using Progress = std::function<void(float fraction)>;

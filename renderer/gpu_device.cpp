@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <list>
 #include <optional>
 
@@ -120,16 +121,24 @@ void set_march(const Shader& shader, const graph::Program& program)
 
 void set_view(const Shader& shader, const FrameRequest& request)
 {
-    glUniform2f(shader.uniform("resolution"), static_cast<float>(request.width), static_cast<float>(request.height));
-    Area part = drawn_area(request);
-    int below = request.height - part.y - part.height;
-    glUniform2f(shader.uniform("first_pixel"), static_cast<float>(part.x), static_cast<float>(below));
-    glUniform2f(shader.uniform("offset"), request.offset.x, request.offset.y);
+    // A lattice is a smaller picture, whose pixels' middles lie elsewhere.
+    const DrawnPixels drawn = drawn_pixels(request);
+    int below = request.height - 1 - (drawn.y + drawn.step * (drawn.height - 1));
+    auto step = static_cast<float>(drawn.step);
+    auto shifted = [&](float offset, int first) {
+        return (offset + (static_cast<float>(first % drawn.step) + 0.5f - 0.5f * step)) / step;
+    };
+    glUniform2f(shader.uniform("resolution"), static_cast<float>(request.width) / step,
+                static_cast<float>(request.height) / step);
+    glUniform2f(shader.uniform("first_pixel"), static_cast<float>(drawn.x / drawn.step),
+                static_cast<float>(below / drawn.step));
+    glUniform2f(shader.uniform("offset"), shifted(request.offset.x, drawn.x), shifted(request.offset.y, below));
     glUniform2f(shader.uniform("lens"), request.lens.x, request.lens.y);
     shader.set("eye", eye_side(request.eye));
     shader.set("interaxial", request.interaxial);
     shader.set("convergence", request.convergence);
     shader.set("toe_in", request.toe_in ? 1.0f : 0.0f);
+    shader.set("sky", request.sky ? 1.0f : 0.0f);
     shader.set("has_view", request.camera ? 1 : 0);
     if (!request.camera) return;
     Viewpoint view = viewpoint_of(*request.camera);
@@ -195,10 +204,17 @@ void read_layers(Frame& frame, const FloatTarget& target, const Area& strip)
     });
     read(1, [&](std::size_t i, const glm::vec4& texel) {
         frame.normal[i] = std::isinf(frame.depth[i]) ? glm::vec3(0) : from_octahedral(texel.x, texel.y);
-        layers.occlusion[i] = texel.z;
+        float evaluations = std::floor(texel.z);
+        frame.evaluations += static_cast<std::int64_t>(evaluations);
+        if (!frame.covered.empty()) frame.covered[i] = 2.0f * (texel.z - evaluations);
         layers.minimum_cone_ratio[i] = texel.w;
     });
-    read_split(2, layers.position, [&](std::size_t i) -> float& { return layers.shadow[i]; });
+    read(2, [&](std::size_t i, const glm::vec4& texel) {
+        layers.position[i] = glm::vec3(texel);
+        float shadow = std::floor(texel.w / 4096.0f);
+        layers.shadow[i] = shadow / 4095.0f;
+        layers.occlusion[i] = (texel.w - 4096.0f * shadow) / 4095.0f;
+    });
     read_split(3, layers.albedo, [&](std::size_t i) -> float& { return layers.gradient_length[i]; });
     read_split(4, layers.ambient, [&](std::size_t i) -> int& { return layers.shadow_steps[i]; });
     read_split(5, layers.diffuse, [&](std::size_t i) -> float& { return layers.emission[i].r; });
@@ -223,8 +239,12 @@ void read_strip(Frame& frame, const FloatTarget& target, const Area& strip)
         frame.material_id[i] = static_cast<int>(texel.z);
         frame.steps[i] = static_cast<int>(texel.w);
     });
-    read_flipped(target, 2, frame.height, strip, scratch,
-                 [&](std::size_t i, const glm::vec4& texel) { frame.normal[i] = glm::vec3(texel); });
+    read_flipped(target, 2, frame.height, strip, scratch, [&](std::size_t i, const glm::vec4& texel) {
+        frame.normal[i] = glm::vec3(texel);
+        float evaluations = std::floor(texel.w);
+        frame.evaluations += static_cast<std::int64_t>(evaluations);
+        if (!frame.covered.empty()) frame.covered[i] = 2.0f * (texel.w - evaluations);
+    });
 }
 
 }  // namespace
@@ -306,10 +326,10 @@ std::string GpuDevice::renderer_name() const { return state_->name; }
 bool GpuDevice::software() const { return is_software(state_->name); }
 int GpuDevice::links() const { return state_->shaders.links(); }
 
-std::string GpuDevice::shader_text(const graph::Program& program, float time, bool layers) const
+std::string GpuDevice::shader_text(const graph::Program& program, const FrameRequest& request) const
 {
-    std::vector<float> values = field::evaluate_frame(program, time);
-    return codegen::print_fragment_shader(program, values, state_->placement(values), layers);
+    std::vector<float> values = field::evaluate_frame(program, request.time);
+    return codegen::print_fragment_shader(program, values, state_->placement(values), request.layers, request.counts);
 }
 
 bool GpuDevice::linked(const std::string& text) const { return state_->shaders.find(text) != nullptr; }
@@ -343,10 +363,12 @@ bool GpuDevice::draw_slice(Frame& frame, const graph::Program& program, const Fr
 bool GpuDevice::draw(Frame& frame, const graph::Program& program, const FrameRequest& request, const Watch& watch)
 {
     frame.evaluations = 0;
+    frame.covered.resize(program.march.coverage && !request.slice ? frame.colour.size() : 0);
     if (request.slice) return draw_slice(frame, program, request, watch);
     state_->context.make_current();
     std::vector<float> values = field::evaluate_frame(program, request.time);
-    std::string text = codegen::print_fragment_shader(program, values, state_->placement(values), request.layers);
+    std::string text =
+        codegen::print_fragment_shader(program, values, state_->placement(values), request.layers, request.counts);
     bool linked_before = linked(text);
     const Shader& shader = state_->shaders.use(text);
     state_->upload(shader, program, values);
@@ -366,7 +388,8 @@ bool GpuDevice::draw(Frame& frame, const graph::Program& program, const FrameReq
 
 Frame GpuDevice::render(const graph::Program& program, const FrameRequest& request, const Progress& progress)
 {
-    Frame frame(drawn_area(request).width, drawn_area(request).height, request.layers);
+    const DrawnPixels drawn = drawn_pixels(request);
+    Frame frame(drawn.width, drawn.height, request.layers);
     draw(frame, program, request, {.progress = progress});
     return frame;
 }

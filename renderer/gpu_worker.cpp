@@ -79,7 +79,7 @@ void GpuWorker::draw(const Job& job)
     const PictureRequest& request = *job.request;
     if (request.frame.slice && !must_draw(job))
         return desk_.decided(job);  // one distance a pixel: nothing to compile for
-    std::string text = device_->shader_text(*request.program, request.frame.time, request.frame.layers);
+    std::string text = device_->shader_text(*request.program, request.frame);
     bool ready = !refused_.contains(text) && make_ready(job, text);
     if (auto refused = refused_.find(text); refused != refused_.end())
         desk_.report(CompileFailed{refused->second, request.generation});

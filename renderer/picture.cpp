@@ -96,6 +96,19 @@ Picture blank_picture(glm::ivec2 size_px)
     return {size_px.x, size_px.y, std::vector<unsigned char>(bytes)};
 }
 
+Picture enlarged(const Picture& picture, int times)
+{
+    Picture large = blank_picture(times * glm::ivec2(picture.width, picture.height));
+    if (!picture.alpha.empty()) large.alpha.resize(large.rgb.size() / 3);
+    for (std::size_t i = 0; i < large.rgb.size() / 3; ++i) {
+        auto width = static_cast<std::size_t>(large.width), step = static_cast<std::size_t>(times);
+        std::size_t from = i / width / step * static_cast<std::size_t>(picture.width) + i % width / step;
+        std::copy_n(&picture.rgb[3 * from], 3, &large.rgb[3 * i]);
+        if (!picture.alpha.empty()) large.alpha[i] = picture.alpha[from];
+    }
+    return large;
+}
+
 struct PictureEncoder::Scratch {
     Rows left{3}, right{3}, mixed{3}, input{3}, toned{3};
 };
@@ -201,8 +214,9 @@ void PictureEncoder::mix(const EyeMix& mix, unsigned char* rgb, int count, Scrat
 
 void PictureEncoder::mark_fights(const Run& run, Stereo stereo, const Rows& left) const
 {
+    glm::ivec2 at = display_.origin + glm::ivec2(run.x, run.y);
     for (int i = 0; i < run.count; ++i)
-        if (on_stripe(run.x + i, run.y) && eyes_fight(stereo, display_.stereo_space, left.vec3(0, i)))
+        if (on_stripe(at.x + i, at.y) && eyes_fight(stereo, display_.stereo_space, left.vec3(0, i)))
             std::copy(std::begin(fight_colour), std::end(fight_colour), run.rgb() + 3 * i);
 }
 
@@ -214,7 +228,7 @@ int PictureEncoder::divider(const Frame& frame) const
 void PictureEncoder::encode_run(const Run& run, Scratch& scratch) const
 {
     const StereoMode& mode = mode_of(display_.stereo);
-    bool only_right = mode.layout == StereoLayout::rows && run.y % 2 == 1;
+    bool only_right = mode.layout == StereoLayout::rows && (display_.origin.y + run.y) % 2 == 1;
     show(scratch.left, only_right ? run.right : run.left, run.first(), run.count, scratch);
     if (mode.layout != StereoLayout::mixed) store_bytes(run.rgb(), scratch.left, run.count);
     if (mode.layout == StereoLayout::one_eye || mode.layout == StereoLayout::rows) return;

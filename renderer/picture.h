@@ -14,7 +14,8 @@ namespace fieldwright::renderer {
 // What a picture shows of its frames, and how.
 struct Display {
     View view = View::beauty;
-    Look look;  // of beauty
+    Look look;             // of beauty
+    glm::ivec2 origin{0};  // px, of the frames in the whole picture of which they are a part
     Stereo stereo = Stereo::off;
     StereoSpace stereo_space = StereoSpace::linear;
     bool swap_eyes = false;
@@ -34,6 +35,8 @@ struct Picture {
     std::vector<unsigned char> alpha = {};  // one byte a pixel, not multiplied into the colours; empty: all opaque
 };
 Picture blank_picture(glm::ivec2 size_px);
+// Every pixel as a square of so many.
+Picture enlarged(const Picture& picture, int times);
 
 // Frames as 8-bit pixels. Threads share it.
 class PictureEncoder {

@@ -163,6 +163,7 @@ PicturePass::PicturePass(RenderDesk& desk, FramePool& frames, Device device, con
       base_(desk.shown()),
       last_shown_(Clock::now())
 {
+    request_.sky = shows_sky(job.request->exposure);
     if (base_.request && !same_content(*base_.request, *job.request)) base_ = {};
     glm::ivec2 size = encoder_.size_px({request_.width, request_.height});
     picture_ = std::make_shared<Picture>(base_.request ? resized(*base_.picture.picture, size.x, size.y)

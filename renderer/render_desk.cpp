@@ -23,7 +23,9 @@ bool same_frames(const PictureRequest& a, const PictureRequest& b)
     Exposure samples_of_b = b.exposure;
     samples_of_b.samples = a.exposure.samples;
     if (a.program != b.program || a.exposure != samples_of_b || is_stereo(a) != is_stereo(b)) return false;
-    return is_stereo(a) ? without_eye(a.frame) == without_eye(b.frame) : a.frame == b.frame;
+    FrameRequest wanted = b.frame;
+    wanted.counts = wanted.counts || a.frame.counts;  // what was counted in vain is no harm
+    return is_stereo(a) ? without_eye(a.frame) == without_eye(wanted) : a.frame == wanted;
 }
 
 bool same_content(const PictureRequest& a, const PictureRequest& b)
@@ -33,7 +35,7 @@ bool same_content(const PictureRequest& a, const PictureRequest& b)
 
 int wanted_samples(const PictureRequest& request)
 {
-    return request.display.view == View::beauty && !request.interacting ? sample_count(request.exposure) : 1;
+    return kind_of(request.display.view).mean && !request.interacting ? sample_count(request.exposure) : 1;
 }
 
 RenderDesk::RenderDesk(std::function<void()> on_ready, bool with_cpu, bool with_gpu)

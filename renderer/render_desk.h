@@ -17,6 +17,7 @@ struct Job {
 };
 
 // Same buffers, whatever view of them is shown; both eyes count as one more buffer.
+// Whether frames drawn for `a` are what `b` asks for.
 bool same_frames(const PictureRequest& a, const PictureRequest& b);
 bool same_content(const PictureRequest& a, const PictureRequest& b);
 

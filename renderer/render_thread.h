@@ -35,7 +35,7 @@ struct StepStatistics {
     double mean = 0;
     int p99 = 0;  // 99 of 100 rays take at most so many
     int largest = 0;
-    std::int64_t evaluations = 0;  // of the field, by all rays; 0 where the device does not count
+    std::int64_t evaluations = 0;  // of the field, by all rays; 0 of a slice, and of what was not counted
     double exhausted = 0;          // share of pixels that ran out of steps
 };
 

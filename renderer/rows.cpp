@@ -17,7 +17,7 @@ void Rows::fill(int k, float value) { std::fill_n(lane(k), capacity_, value); }
 
 void Rows::copy(int i, const Rows& from, int j)
 {
-    for (int k = 0; k < lanes_; ++k) lane(k)[i] = from.lane(k)[j];
+    for (int k = 0; k < std::min(lanes_, from.lanes_); ++k) lane(k)[i] = from.lane(k)[j];
 }
 
 RowFunction::RowFunction(std::string_view name, const field::KernelTable& table)

@@ -24,7 +24,7 @@ public:
         return {lane(first_lane)[i], lane(first_lane + 1)[i], lane(first_lane + 2)[i]};
     }
     void fill(int k, float value);              // the whole lane
-    void copy(int i, const Rows& from, int j);  // value j of `from` becomes value i
+    void copy(int i, const Rows& from, int j);  // value j of `from` becomes value i, in the lanes that both have
 
 private:
     int lanes_, capacity_;

@@ -10,6 +10,7 @@ namespace fieldwright::renderer {
 namespace {
 
 constexpr int checker_px = 12;
+constexpr int weave_step = 2;
 constexpr float light_square = 0.36f, dark_square = 0.28f;  // linear
 
 // The part of a whole number of steps from the middle that is left after whole turns.
@@ -66,7 +67,51 @@ auto light_buffers(SomeFrame& frame)
     return buffers;
 }
 
-bool is_hit(const Frame& frame, std::size_t pixel) { return std::isfinite(frame.depth[pixel]); }
+// Share of the pixel in which something was hit.
+float covered(const Frame& frame, std::size_t pixel)
+{
+    if (!frame.covered.empty()) return frame.covered[pixel];
+    return std::isfinite(frame.depth[pixel]) ? 1.0f : 0.0f;
+}
+
+// Devices that smooth edges bring none of the sky where a backdrop is laid; others bring all of it.
+glm::vec3 before_backdrop(const Frame& frame, const glm::vec3& light, const glm::vec3& backdrop, float covered)
+{
+    return (frame.covered.empty() ? glm::vec3(0) : light) + (1 - covered) * backdrop;
+}
+
+// A lattice's pixels in their places among those of a larger frame.
+template <typename T>
+void weave(std::vector<T>& to, const std::vector<T>& from, const Frame& whole, const Frame& lattice, glm::ivec2 first)
+{
+    for (int y = 0; y < lattice.height; ++y)
+        for (int x = 0; x < lattice.width; ++x) {
+            int row = first.y + weave_step * y, column = first.x + weave_step * x;
+            to[static_cast<std::size_t>(row * whole.width + column)] =
+                from[static_cast<std::size_t>(y * lattice.width + x)];
+        }
+}
+
+// What is summed of samples: light, and where there was a hit.
+void weave_frame(Frame& whole, const Frame& lattice, glm::ivec2 first)
+{
+    auto to = light_buffers(whole);
+    auto from = light_buffers(lattice);
+    for (std::size_t k = 0; k < to.size(); ++k) weave(*to[k], *from[k], whole, lattice, first);
+    weave(whole.depth, lattice.depth, whole, lattice, first);
+}
+
+// Sample `sample` of the pixels of one lattice: a share of the shutter and a turn of the lens on.
+FrameRequest lattice_of(const FrameRequest& picture, const Exposure& exposure, int sample, int lattice)
+{
+    FrameRequest request = sample_of(picture, exposure, sample);
+    float share = point_in_lens_and_time(sample).z + static_cast<float>(lattice) / (weave_step * weave_step);
+    request.time = picture.time + exposure.shutter * (share - std::floor(share) - 0.5f);
+    // Diagonal neighbours first.
+    request.lattice = {weave_step, (lattice ^ (lattice >> 1)) & 1, lattice & 1};
+    for (int turn = 0; turn < lattice; ++turn) request.lens = {-request.lens.y, request.lens.x};
+    return request;
+}
 
 template <typename Visit>
 void for_pixels(std::size_t count, const Visit& visit)
@@ -89,6 +134,8 @@ Exposure exposure_of(const graph::PictureSettings& settings)
     return exposure;
 }
 
+bool shows_sky(const Exposure& exposure) { return exposure.backdrop == graph::Backdrop::sky; }
+
 int sample_count(const Exposure& exposure)
 {
     return exposure.grid > 0 ? exposure.grid * exposure.grid : std::max(exposure.samples, 1);
@@ -102,19 +149,39 @@ FrameRequest sample_of(const FrameRequest& picture, const Exposure& exposure, in
     request.offset = pixel - glm::vec2(0.5f);
     request.lens = on_disk(glm::vec2(lens_and_time));
     request.time = picture.time + exposure.shutter * (lens_and_time.z - 0.5f);
+    request.sky = shows_sky(exposure);
     return request;
+}
+
+bool draw_sample(Frame& frame, const FrameRequest& picture, const Exposure& exposure, int sample,
+                 const DrawRequest& draw)
+{
+    if (sample == 0 || exposure.shutter == 0) return draw(frame, sample_of(picture, exposure, sample));
+    const Area area = drawn_area(picture);
+    for (int lattice = 0; lattice < weave_step * weave_step; ++lattice) {
+        FrameRequest request = lattice_of(picture, exposure, sample, lattice);
+        const DrawnPixels pixels = drawn_pixels(request);
+        Frame part(pixels.width, pixels.height, request.layers);
+        if (!part.colour.empty() && !draw(part, request)) return false;
+        weave_frame(frame, part, {pixels.x - area.x, pixels.y - area.y});
+    }
+    return true;
 }
 
 void lay_backdrop(Frame& frame, const Area& area, const Exposure& exposure, const Area& part)
 {
-    if (exposure.backdrop == graph::Backdrop::sky) return;
+    if (shows_sky(exposure)) return;
     for (int y = area.y; y < area.y + area.height; ++y)
         for (int x = area.x; x < area.x + area.width; ++x) {
             auto pixel =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x);
-            if (is_hit(frame, pixel)) continue;
-            frame.colour[pixel] = backdrop_at(exposure, part.x + x, part.y + y);
-            if (frame.layers) frame.layers->emission[pixel] = frame.colour[pixel];
+            float hit = covered(frame, pixel);
+            if (hit == 1) continue;
+            glm::vec3 backdrop = backdrop_at(exposure, part.x + x, part.y + y);
+            frame.colour[pixel] = before_backdrop(frame, frame.colour[pixel], backdrop, hit);
+            if (!frame.layers) continue;
+            glm::vec3& emission = frame.layers->emission[pixel];
+            emission = before_backdrop(frame, emission, backdrop, hit);
         }
 }
 
@@ -130,7 +197,7 @@ void Accumulator::add(const Frame& sample, const Exposure& exposure)
     bool transparent = exposure.backdrop == graph::Backdrop::transparent;
     for_pixels(pixels, [&](std::size_t i) {
         for (std::size_t k = 0; k < light.size(); ++k) sums_[k][i] += (*light[k])[i];
-        if (!transparent || is_hit(sample, i)) hits_[i] += 1.0f;
+        hits_[i] += transparent ? covered(sample, i) : 1.0f;
     });
 }
 

@@ -18,11 +18,20 @@ struct Exposure {
 
 Exposure exposure_of(const graph::PictureSettings& settings);
 int sample_count(const Exposure& exposure);
+bool shows_sky(const Exposure& exposure);  // no backdrop is laid: FrameRequest::sky
 
 // The request for a sample, from 0. Without a grid sample 0 is the picture's own: the middle of pixel, lens and exposure.
+// On the way to the device each pixel turns the lens by an angle of its own (shaders/render/lens.glsl).
 // Further ones follow the additive recurrences R2 (pixel) and R3 (lens, time) of M. Roberts, "The unreasonable
 // effectiveness of quasirandom sequences" (2018), so that any number of them lies evenly.
 FrameRequest sample_of(const FrameRequest& picture, const Exposure& exposure, int sample);
+
+// Draws a request into a frame of its size; false when it was stopped.
+using DrawRequest = std::function<bool(Frame& frame, const FrameRequest& request)>;
+// A sample into a frame of the picture's size. With a shutter each pixel of a square of four sees its own moments: but for
+// sample 0, four lattices are drawn, and woven.
+bool draw_sample(Frame& frame, const FrameRequest& picture, const Exposure& exposure, int sample,
+                 const DrawRequest& draw);
 
 // What shows where a drawn sample met nothing, unless that is the sky. `area`: of the frame, which is `part` of a picture.
 void lay_backdrop(Frame& frame, const Area& area, const Exposure& exposure, const Area& part);

@@ -37,6 +37,7 @@ struct ViewKind {
     const char *name, *title, *help;
     bool light = false;   // what eyes see; the colours of the others are data, which glasses would falsify
     bool layers = false;  // of those that a frame has only when asked for
+    bool mean = false;    // of light: the mean of a pixel's samples; the others show the middle one
     const char* scale_title = nullptr;  // of numbers shown by a colour map
     float scale_end = 0;                // the number at the map's end; 0 = of steps
 };

@@ -86,14 +86,15 @@ void side_picture(FrameContext& frame)
     frame.rects.mark("panel/cost/side_picture", {{low.x, low.y}, {low.x + width, low.y + height}});
 }
 
+// Of the steps, whether they are the picture or stand beside it.
 void legend(FrameContext& frame)
 {
-    std::optional<Legend> shown = legend_of(frame);
-    if (!shown) return;
-    to_field_column(frame);
+    std::optional<Legend> steps = legend_of(frame, "steps");
+    if (!steps) return;
+    begin_row(frame, "Steps", "Of the rays from the eye. Magenta: out of steps.");
     float width = row_field_width(frame);
     ImVec2 low = ImGui::GetCursorScreenPos();
-    float height = draw_legend_bar(frame, *ImGui::GetWindowDrawList(), low, width, *shown);
+    float height = draw_legend_bar(frame, *ImGui::GetWindowDrawList(), low, width, *steps);
     ImGui::Dummy({width, height});
     frame.rects.mark("panel/cost/legend");
 }
@@ -121,8 +122,8 @@ void heatmap_rows(FrameContext& frame)
     scale.width_px = begin_row(frame, "Full scale", scale.tip);
     if (number_field(frame, "##full_scale", "Full scale", steps, scale)) view.full_scale = static_cast<int>(steps);
     frame.rects.mark("panel/cost/full_scale");
-    legend(frame);
     if (!heatmap) side_picture(frame);
+    legend(frame);
 }
 
 struct CostRow {

@@ -13,8 +13,8 @@ namespace {
 void set_ends(Legend& legend, double end)
 {
     legend.low = "0";
-    legend.middle = rounded_text(0.5 * end);
-    legend.high = rounded_text(end);
+    legend.middle = scale_text(0.5 * end);
+    legend.high = scale_text(end);
 }
 
 ImU32 mixed(ImU32 a, ImU32 b, float share)
@@ -26,6 +26,8 @@ ImU32 mixed(ImU32 a, ImU32 b, float share)
 
 }  // namespace
 
+std::string scale_text(double number) { return number < 999.5 ? exact_text(number) : rounded_text(number); }
+
 ImU32 map_colour(const ColourMapChoice& map, float share)
 {
     if (map.colours.empty()) return colour::quiet_text;
@@ -35,23 +37,23 @@ ImU32 map_colour(const ColourMapChoice& map, float share)
     return mixed(map.colours[first], map.colours[second], x - static_cast<float>(first));
 }
 
-std::optional<Legend> legend_of(const FrameContext& frame)
+std::optional<Legend> legend_of(const FrameContext& frame, std::string_view name)
 {
     const ViewState& view = frame.view;
     Legend legend{.map = find_choice(frame.readings.colour_maps, view.colour_map)};
     if (!legend.map) return std::nullopt;
-    if (view.view == "slice" && view.slice.style == "gradient") {
+    if (name == "slice" && view.slice.style == "gradient") {
         legend.title = "Gradient's length away from 1";
         set_ends(legend, 1);
         return legend;
     }
-    const ViewChoice* shown = find_choice(frame.readings.views, view.view);
+    const ViewChoice* shown = find_choice(frame.readings.views, name);
     if (!shown || shown->scale_title.empty()) return std::nullopt;
     legend.title = shown->scale_title;
     bool of_steps = shown->scale_end == 0;
     int most_steps = view.full_scale > 0 ? view.full_scale : frame.draft.document.march.step_limit;
     set_ends(legend, of_steps ? most_steps : static_cast<double>(shown->scale_end));
-    legend.marks_exhausted = view.view == "steps";
+    legend.marks_exhausted = name == "steps";
     return legend;
 }
 

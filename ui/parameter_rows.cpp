@@ -4,6 +4,7 @@
 #include "graph/contours.h"
 #include "graph/groups.h"
 #include "graph/known_types.h"
+#include "graph/leader.h"
 #include "ui/choice_field.h"
 #include "ui/colour_field.h"
 #include "ui/commands.h"
@@ -199,13 +200,11 @@ void list_row(const Row& row)
     row.mark();
 }
 
-// What is wired to a socket: a click selects it. The icon after it takes the wire off.
-void source_field(FrameContext& frame, const std::string& path, const graph::Node& node, std::string_view socket,
-                  graph::NodeId source_id, float width_px)
+// Where a value comes from: a click selects that node.
+void source_link(FrameContext& frame, const std::string& path, graph::NodeId source_id, float width_px)
 {
-    graph::Document& document = frame.draft.document;
     const graph::Library& library = frame.draft.library;
-    const graph::Node* source = document.root.find(source_id);
+    const graph::Node* source = frame.draft.document.root.find(source_id);
     const graph::NodeType* type = source ? library.type(source->type) : nullptr;
     std::string title = source ? title_of(*source, library) : "a missing node";
     ImU32 tint = type ? socket_colour(type->output) : colour::quiet_text;
@@ -223,10 +222,19 @@ void source_field(FrameContext& frame, const std::string& path, const graph::Nod
     std::string words = fitted("from " + title, width_px - theme.px(28));
     draw.AddText({low.x + theme.px(22), low.y + std::floor(0.5f * (theme.row() - ImGui::GetFontSize()))}, colour::text,
                  words.c_str());
+    if (pressed && source) frame.view.selection.only(source_id);
+}
+
+// What is wired to a socket. The icon after it takes the wire off.
+void source_field(FrameContext& frame, const std::string& path, const graph::Node& node, std::string_view socket,
+                  graph::NodeId source_id, float width_px)
+{
+    graph::Document& document = frame.draft.document;
+    const graph::Library& library = frame.draft.library;
+    source_link(frame, path, source_id, width_px);
     to_row_end(frame);
     bool unwire = icon_button(frame, "unwire", icon::close, "Take this wire off");
     frame.rects.mark(path + "/unwire");
-    if (pressed && source) frame.view.selection.only(source_id);
     if (!unwire) return;
     std::string step = "Unwire " + graph::title_inside(node, library) + " " +
                        graph::inside_a_sentence(socket_label(library.type(node.type), socket));
@@ -308,6 +316,15 @@ void points_below(const Row& row)
     if (changed) row.write(std::move(points));
 }
 
+// The node that gives a parameter because this one follows it; null where the parameter is its own.
+const graph::Node* leader_of(const FrameContext& frame, const graph::Node& node, const Parameter& parameter)
+{
+    const graph::Library& library = frame.draft.library;
+    const graph::Node* leader = graph::leader_of(frame.draft.document.root, node, *library.type(node.type));
+    const graph::NodeType* type = leader ? library.type(leader->type) : nullptr;
+    return type && graph::is_led(node, parameter, *type) ? leader : nullptr;
+}
+
 void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id, const Parameter& parameter)
 {
     const graph::Node* node = frame.draft.document.root.find(id);
@@ -324,6 +341,8 @@ void parameter_row(FrameContext& frame, std::string_view path, graph::NodeId id,
     row.width_px = begin_row(frame, row.title, tip);
     if (graph::NodeId source = node->input(parameter.name)) {
         source_field(frame, row.path, *node, parameter.name, source, row.width_px);
+    } else if (const graph::Node* leader = leader_of(frame, *node, parameter)) {
+        source_link(frame, row.path, leader->id, row.width_px);
     } else if (parameter.kind == ParameterKind::formula) {
         formula_row(row);
     } else {

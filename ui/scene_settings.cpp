@@ -5,6 +5,8 @@
 #include "ui/setting_rows.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
+
 namespace fieldwright::ui {
 namespace {
 
@@ -30,6 +32,7 @@ void march_rows(FrameContext& frame, SettingRows<graph::MarchSettings>& rows)
     if (!constant) rows.row("step_scale_from");
     if (!constant && rows.settings().own_step_scale) rows.row("step_scale");
     rows.row("out_of_steps");
+    rows.row("anti_aliasing");
     section(frame, "Normals");
     rows.row("normals");
     rows.row("normal_step");
@@ -39,6 +42,13 @@ void occlusion_rows(FrameContext& frame, SettingRows<graph::OcclusionSettings>& 
 {
     section(frame, "Occlusion");
     for (const char* name : {"kind", "strength", "radius", "samples"}) rows.row(name);
+    auto step = [](const graph::OcclusionSettings& settings) {
+        return static_cast<double>(settings.radius) / settings.samples;
+    };
+    NumberStyle style{.minimum = 1e-4, .maximum = 1e3};
+    rows.derived_row("step", step(rows.settings()), step({}), style, [](graph::OcclusionSettings& settings, double m) {
+        settings.radius = std::clamp(static_cast<float>(m * settings.samples), 1e-3f, 1e3f);
+    });
 }
 
 // A reset gives the bounces of new scenes.

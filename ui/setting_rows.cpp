@@ -36,12 +36,20 @@ constexpr SettingWords all_words[] = {
      "comparison."},
     {"march", "normals", "Normals", "",
      "How slopes are measured: with four distances at the corners of a tetrahedron, or with six along the axes."},
+    {"march", "anti_aliasing", "Anti-aliasing", "",
+     "Coverage: where an edge passes through a pixel, what lies on both sides shares it, at the cost of one more ray "
+     "there. "
+     "None: samples alone smooth edges."},
     {"occlusion", "kind", "Kind", "",
      "What darkens: the mean of distance and height over the samples, or their smallest ratio."},
     {"occlusion", "strength", "Strength", "", "How dark corners get where little of the sky is seen; 0 is off.", 0, 1,
      "Off"},
     {"occlusion", "radius", "Radius", "m", "How far above a surface other things darken it.", 0.01, 5},
     {"occlusion", "samples", "Samples", "", "How many distances are taken on the way to the radius.", 1, 16},
+    {"occlusion", "step", "Step", "m",
+     "From one distance to the next: the radius by the samples. A change moves the radius; of the smallest ratio it is "
+     "the shortest step.",
+     0.001, 1},
     {"bounces", "bounces", "Bounces", "",
      "How often mirrors and glass send a ray on. Two see through a solid of glass; each may double the time. At 0 they "
      "show the sky at one look.",
@@ -77,6 +85,7 @@ constexpr std::pair<std::string_view, std::string_view> choice_titles[] = {{"mis
                                                                            {"own", "Own"},
                                                                            {"tetrahedron", "Tetrahedron"},
                                                                            {"central", "Central"},
+                                                                           {"coverage", "Coverage"},
                                                                            {"mean", "Mean"},
                                                                            {"smallest_ratio", "Smallest ratio"},
                                                                            {"none", "None"},

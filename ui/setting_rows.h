@@ -49,6 +49,14 @@ public:
             if (name == colour.name) colour_row(words, colour);
     }
 
+    // Of a number that settings come to; `take` changes them to come to another one.
+    template <typename Take>
+    void derived_row(std::string_view name, double value, double initial, const NumberStyle& style, const Take& take)
+    {
+        const SettingWords& words = setting_words(group_, name);
+        if (number_setting(frame_, mark(words), words, value, initial, style, step_)) take(settings_, value);
+    }
+
     const Settings& settings() const { return settings_; }
     const std::string& step() const { return step_; }  // empty: nothing changed
 

@@ -173,7 +173,7 @@ void draw_statistics(const FrameContext& frame, ImDrawList& list, const WidgetRe
 
 void draw_legend(const FrameContext& frame, ImDrawList& list, const WidgetRect& pane)
 {
-    std::optional<Legend> legend = legend_of(frame);
+    std::optional<Legend> legend = legend_of(frame, frame.view.view);
     if (!legend) return;
     const Theme& theme = frame.theme;
     Ink ink{list, *theme.fonts.small};

@@ -33,11 +33,19 @@ struct March {
     int central_normals;     // six taps on the axes instead of four at a tetrahedron's corners
     int smallest_occlusion;  // the smallest ratio of distance and height instead of the mean
     int tracks_cone;         // cone_ratio is wanted
+#if TINTED_SHADOWS
+    int tints_shadows;       // shadow rays look at what they hit, and go on behind glass
+#endif
 };
 
 // budget: distances left to the pixel. exhausted: 1 when the step limit or the budget ended the ray. gradient: of the
 // field at the hit. openness: 1 where nothing occludes; height: of the occlusion tap, less the first one's. stride: of the
 // last step. cone_ratio: smallest ratio of distance and way along the ray (only when tracked), UNBOUNDED before any.
+#if TINTED_SHADOWS
+// Of soft shadow rays, which may go on behind what they come to, it is the smallest of what they have passed, at the distance
+// `nearest`; the next larger one follows. last_ratio: the newest one, which may yet fall; negative while the ray leaves the glass
+// that it went through.
+#endif
 struct Probe {
     vec3 origin;
     vec3 direction;
@@ -52,6 +60,12 @@ struct Probe {
     float height;
     float stride;
     float cone_ratio;
+#if TINTED_SHADOWS
+    float last_ratio;
+    float nearest;
+    float second_ratio;
+    float second_nearest;
+#endif
 };
 
 Probe make_probe(vec3 origin, vec3 direction, float t, float t_end, int phase, int budget)
@@ -70,6 +84,12 @@ Probe make_probe(vec3 origin, vec3 direction, float t, float t_end, int phase, i
     probe.height = 0.0f;
     probe.stride = UNBOUNDED;
     probe.cone_ratio = UNBOUNDED;
+#if TINTED_SHADOWS
+    probe.last_ratio = UNBOUNDED;
+    probe.nearest = 0.0f;
+    probe.second_ratio = UNBOUNDED;
+    probe.second_nearest = 0.0f;
+#endif
     return probe;
 }
 
@@ -177,6 +197,10 @@ Probe settle(Probe probe, int hit, int missed, float t_hit, float t_next, int ta
 
     int walked = missed + stopped > 0 ? MISSED : probe.phase;
     walked = surface > 0 ? surface_phase(probe.phase) : walked;
+#if TINTED_SHADOWS
+    int looked = surface > 0 ? NORMAL_TAP : walked;
+    walked = march.tints_shadows != 0 ? looked : walked;
+#endif
     int phase = walking > 0 ? walked : tapped;
 
     int spent = probe.budget <= 1 ? going : 0;
@@ -259,6 +283,30 @@ Probe advance_bisecting(Probe probe, float d, March march)
 }
 #endif
 
+#if TINTED_SHADOWS
+// A shadow ray `before` and after a step, at the point of which the ratio counts or not. What it passed is known when the ratio
+// rises: the last one was the smallest. Minima within a tenth of the way are of one thing: beside flat sides there are many.
+Probe passed(Probe before, Probe after, float ratio, bool counts)
+{
+    bool in_the_open = before.phase < -HARD_SHADOW && counts;
+    bool leaves = before.last_ratio < 0.0f;
+    bool rises = ratio > abs(before.last_ratio);
+    bool passes = in_the_open && rises && !leaves;
+    float place = before.t - before.stride, last = leaves && rises ? -ratio : ratio;
+    bool is_first = passes && before.last_ratio < before.cone_ratio;
+    bool other = place - before.nearest > 0.1f * place;
+    bool is_second = passes && other && !is_first && before.last_ratio < before.second_ratio;
+    bool moves_down = is_first && other;
+    Probe next = after;
+    next.second_ratio = moves_down ? before.cone_ratio : (is_second ? before.last_ratio : before.second_ratio);
+    next.second_nearest = moves_down ? before.nearest : (is_second ? place : before.second_nearest);
+    next.cone_ratio = is_first ? before.last_ratio : before.cone_ratio;
+    next.nearest = is_first ? place : before.nearest;
+    next.last_ratio = in_the_open ? last : before.last_ratio;
+    return next;
+}
+
+#endif
 #if CONES
 // The probe `after` the distance d of `before`, with the ratio of the two points. For a corrected shadow it is that of the
 // closest approach between the last two points, when both see the same point of the surface: the triangle of the stride,
@@ -275,6 +323,15 @@ Probe narrowed(Probe before, Probe after, float d, March march)
     Probe next = after;
     next.cone_ratio = counts ? min(before.cone_ratio, ratio) : before.cone_ratio;
     next.stride = march.bisects != 0 ? after.stride : max(after.t - before.t, 1.0e-6f);
+#if TINTED_SHADOWS
+    Probe passing = passed(before, next, ratio, counts);
+    bool is_shadow = before.phase < MARCHING && march.tints_shadows != 0;
+    next.cone_ratio = is_shadow ? passing.cone_ratio : next.cone_ratio;
+    next.nearest = passing.nearest;
+    next.second_ratio = passing.second_ratio;
+    next.second_nearest = passing.second_nearest;
+    next.last_ratio = passing.last_ratio;
+#endif
     return next;
 }
 #endif

@@ -39,6 +39,9 @@ Material mix_material(Material a, Material b, float weight)
     material.refraction_index = mix(a.refraction_index, b.refraction_index, weight);
     material.absorption = mix(a.absorption, b.absorption, weight);
 #endif
+#if TINTED_SHADOWS
+    material.shadow = mix(a.shadow, b.shadow, weight);
+#endif
     return material;
 }
 

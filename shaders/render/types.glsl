@@ -8,6 +8,9 @@ struct Box {
 // specular: what is mirrored straight on. The highlight is Phong's, of that shininess, or that of microfacets of that
 // roughness, or between them: microfacet is 0, 1, or in a blend between. reflection: what is mirrored straight on of the
 // scene itself. transmission: the share of the rest that goes through; on the way it loses absorption (per metre).
+#if TINTED_SHADOWS
+// shadow: 0 as of what is opaque, 1 of what does not come through, 2 none; between, of both.
+#endif
 struct Material {
     vec3 albedo;
     vec3 specular;
@@ -22,6 +25,9 @@ struct Material {
     float transmission;
     float refraction_index;
     vec3 absorption;
+#endif
+#if TINTED_SHADOWS
+    float shadow;
 #endif
 };
 
@@ -77,6 +83,9 @@ Material make_material(vec3 albedo, vec3 specular, float shininess, vec3 emissio
     material.refraction_index = 1.0f;
     material.absorption = vec3(0.0f);
 #endif
+#if TINTED_SHADOWS
+    material.shadow = 1.0f;
+#endif
     return material;
 }
 
@@ -114,6 +123,18 @@ Material with_transmission(Material material, float transmission, float refracti
     return with_reflection(result, vec3(ratio * ratio));
 }
 
+#if TRANSMISSION
+// The shadow of what lets light through: 0 as if it did not, 1 of what does not come through, 2 none.
+Material with_shadow(Material material, int shadow)
+{
+    Material result = material;
+#if TINTED_SHADOWS
+    result.shadow = float(shadow);
+#endif
+    return result;
+}
+
+#endif
 // How a lamp fades over a way: 0 with its square, and the intensity is that at one metre; 1 likewise, and the intensity is
 // the power that all of the sphere around gets; 2 not at all.
 float lamp_falloff(int falloff, float way)

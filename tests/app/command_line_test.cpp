@@ -102,6 +102,8 @@ TEST_F(CommandLine, usage_errors_exit_with_2)
     expect_refusal("render " + scene + out + " --samples 0", 2, "samples");
     expect_refusal("render " + scene + out + " --samples 4 --grid 2", 2, "grid");
     expect_refusal("render " + scene + out + " --backdrop bright", 2, "bright");
+    expect_refusal("render " + scene + out + " --anti-aliasing much", 2, "much");
+    expect_refusal("render " + scene + " --enlarge 2 -o " + path("a.exr"), 2, "--enlarge");
     expect_refusal("render " + scene + " --backdrop transparent -o " + path("a.jpg"), 2, ".png");
     for (const char* size : {"0x1", "20000x10", "9000x9000", "big", "10x", "10x10x10", "-4x4"})
         expect_refusal("render " + scene + out + " --size " + size, 2, "");

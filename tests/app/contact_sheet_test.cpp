@@ -3,6 +3,7 @@
 
 #include "assets/lettering.h"
 #include "ui/font_files.h"
+#include "ui/legend.h"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,14 @@ TEST(ContactSheet, takes_the_colour_map_and_the_full_scale)
     EXPECT_GE(count(sheet, colour_of(display, renderer::View::steps, 50)), 4 * 6);
     EXPECT_EQ(count(sheet, colour_of({}, renderer::View::steps, 200)), 0) << "none of viridis";
     EXPECT_TRUE(sheet.rgb != sheet_of(160, 90, {.colour_map = renderer::ColourMap::turbo}).rgb) << "other numbers";
+}
+
+TEST(ContactSheet, writes_numbers_without_digits_that_say_nothing)
+{
+    EXPECT_EQ(ui::scale_text(0.1f), "0.1");
+    EXPECT_EQ(ui::scale_text(2), "2");
+    EXPECT_EQ(ui::scale_text(12.5), "12.5");
+    EXPECT_EQ(ui::scale_text(60000), "60,000");
 }
 
 TEST(ContactSheet, cuts_no_word_of_small_pictures)

@@ -29,9 +29,9 @@ struct File {
     }
 };
 
-class Export : public InFolder {
+class PictureFile : public InFolder {
 protected:
-    Export()
+    PictureFile()
     {
         Scene s;
         s.show(s.node("sphere"));
@@ -66,7 +66,7 @@ protected:
     PictureRequest request;
 };
 
-TEST_F(Export, writes_the_format_that_the_name_means)
+TEST_F(PictureFile, writes_the_format_that_the_name_means)
 {
     for (const char* name : {"a.png", "a.jpg", "a.JPEG", "a.hdr", "a.exr"}) {
         File file = written(name);
@@ -76,7 +76,7 @@ TEST_F(Export, writes_the_format_that_the_name_means)
     EXPECT_EQ(PictureExport(path("plain")).path(), path("plain.png"));
 }
 
-TEST_F(Export, draws_the_layers_that_openexr_holds)
+TEST_F(PictureFile, draws_the_layers_that_openexr_holds)
 {
     EXPECT_FALSE(PictureExport(path("a.exr")).suits(request)) << "its layers are not drawn yet";
     File file = written("a.exr");
@@ -84,7 +84,7 @@ TEST_F(Export, draws_the_layers_that_openexr_holds)
         EXPECT_TRUE(file.has(channel)) << channel;
 }
 
-TEST_F(Export, keeps_holes_where_the_format_can)
+TEST_F(PictureFile, keeps_holes_where_the_format_can)
 {
     request.exposure.backdrop = graph::Backdrop::transparent;
     EXPECT_TRUE(PictureExport(path("a.jpg")).suits(request)) << "a checkerboard is what a JPEG can show";
@@ -99,7 +99,7 @@ TEST_F(Export, keeps_holes_where_the_format_can)
     }
 }
 
-TEST_F(Export, says_what_a_format_cannot_hold)
+TEST_F(PictureFile, says_what_a_format_cannot_hold)
 {
     PictureExport png(path("a.png")), hdr(path("a.hdr")), exr(path("a.exr"));
     EXPECT_EQ(png.refusal({.view = View::steps, .stereo = Stereo::off}), "");

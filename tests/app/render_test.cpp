@@ -3,8 +3,10 @@
 #include "renderer/picture.h"
 #include "tests/app/program.h"
 
+#include <OpenImageIO/imagebufalgo.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 namespace fieldwright::tests {
@@ -117,6 +119,43 @@ TEST_F(Render, of_tiles_joins_to_the_whole_picture)
         joined.insert(joined.end(), tile.rgb.begin(), tile.rgb.end());
     }
     EXPECT_TRUE(joined == whole.rgb);
+}
+
+// The second of four bands begins at a row of odd number.
+TEST_F(Render, of_a_tile_has_the_rows_and_stripes_of_the_whole_stereo_picture)
+{
+    for (const char* stereo : {"interlace", "naive --rivalry"}) {
+        std::string options = std::string("--samples 1 --interaxial 0.3 --stereo ") + stereo;
+        render(options + " -o " + path("whole.png"));
+        render(options + " --tile 2/4 -o " + path("tile.png"));
+        renderer::Picture whole = renderer::read_png(path("whole.png")), tile = renderer::read_png(path("tile.png"));
+        auto rows = whole.rgb.begin() + 3 * 64 * 9;
+        EXPECT_TRUE(std::equal(tile.rgb.begin(), tile.rgb.end(), rows)) << stereo;
+    }
+}
+
+TEST_F(Render, of_both_eyes_swaps_the_parts_of_openexr_too)
+{
+    for (const char* name : {"plain", "swapped"})
+        render(std::string("--samples 1 --interaxial 0.4 --stereo side-by-side -o ") + path(name) + ".exr" +
+               (name == std::string("swapped") ? " --swap-eyes" : ""));
+    auto same = [&](int plain, int swapped) {
+        OIIO::ImageBuf a(path("plain.exr"), plain, 0), b(path("swapped.exr"), swapped, 0);
+        return OIIO::ImageBufAlgo::compare(a, b, 0, 0).nfail == 0;
+    };
+    EXPECT_TRUE(same(0, 1) && same(1, 0));
+    EXPECT_FALSE(same(0, 0));
+}
+
+TEST_F(Render, takes_the_mean_of_samples_for_views_of_light_and_the_middle_one_for_data)
+{
+    for (const char* name : {"glow", "diffuse", "steps"}) {
+        std::string view = std::string("--view ") + name;
+        render(view + " --samples 1 -o " + path("one.png"));
+        render(view + " --samples 8 -o " + path("eight.png"));
+        bool mean = renderer::kind_of(*renderer::view_from_name(name)).mean;
+        EXPECT_EQ(bytes("one.png") != bytes("eight.png"), mean) << name;
+    }
 }
 
 TEST_F(Render, twice_gives_the_same_bytes_in_every_format)

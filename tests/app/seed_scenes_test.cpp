@@ -1,4 +1,4 @@
-// The scenes that rebuild the seeds: each opens, lowers, shows what it should, and is the same picture on both devices.
+// The scenes that rebuild the seeds: each opens, lowers and shows what it should (devices_agree_test.cpp: the same on both devices).
 #include "graph/scene_file.h"
 #include "tests/app/program.h"
 #include "tests/support/pictures.h"
@@ -23,24 +23,15 @@ struct Expected {
 const std::map<std::string, Expected>& expected()
 {
     static const std::map<std::string, Expected> scenes = {
-        {"000_bending", {6, 6}},
-        {"000_bending_stripes", {6, 6}},
-        {"000_booleans", {5, 4}},
-        {"000_glass", {7, 7}},
-        {"000_repetition", {3, 3}},
-        {"000_soft_shadow", {7, 3}},
-        {"001_magnemite", {9, 7}},
-        {"002_circle", {2, 2}},
-        {"002_intersection", {3, 2}},
-        {"002_square", {2, 2}},
-        {"002_squircle", {2, 2}},
-        {"002_subtraction", {2, 2}},
-        {"002_three_tori", {4, 2}},
-        {"002_three_tori_orthographic", {4, 2}},
-        {"002_union", {3, 2}},
-        {"003_square_triangle_circle", {5, 2}},
-        {"003_three_circles", {3, 1}},
-        {"003_three_letters", {5, 2}},
+        {"000_bending", {6, 6}},       {"000_bending_stripes", {6, 6}},
+        {"000_booleans", {5, 4}},      {"000_glass", {7, 7}},
+        {"000_repetition", {3, 3}},    {"000_soft_shadow", {7, 3}},
+        {"001_magnemite", {9, 7}},     {"002_circle", {2, 2}},
+        {"002_intersection", {3, 2}},  {"002_square", {2, 2}},
+        {"002_squircle", {2, 2}},      {"002_subtraction", {2, 2}},
+        {"002_three_tori", {4, 2}},    {"002_three_tori_orthographic", {4, 2}},
+        {"002_union", {3, 2}},         {"003_square_triangle_circle", {5, 2}},
+        {"003_three_circles", {3, 1}}, {"003_three_letters", {5, 2}},
         {"004_csg", {10, 10}},
     };
     return scenes;
@@ -87,19 +78,6 @@ TEST_P(SeedScene, shows_its_surfaces)
     EXPECT_GE(kinds(frame.material_id), static_cast<std::size_t>(expected().at(GetParam()).materials));
 }
 
-TEST_P(SeedScene, is_the_same_picture_on_both_devices)
-{
-    graph::Program scene = program();
-    FrameRequest request{.width = 112, .height = 63, .time = 0.6f};
-    Frame on_cpu = render_on_cpu(scene, request), on_gpu = GpuDevice().render(scene, request);
-    for (const char* name : {"beauty", "depth", "id", "steps"}) {
-        View view = *view_from_name(name);
-        Picture cpu = picture(on_cpu, view, scene.march.step_limit),
-                gpu = picture(on_gpu, view, scene.march.step_limit);
-        EXPECT_LE(share_apart(cpu, gpu), 0.005) << name;
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Seeds, SeedScene, testing::ValuesIn(seed_scenes()),
                          [](const auto& seed) { return "scene_" + seed.param; });
 
@@ -110,7 +88,7 @@ TEST(SeedScenes, are_of_all_five_seeds)
     EXPECT_EQ(numbers, (std::set<std::string>{"000", "001", "002", "003", "004"}));
 }
 
-// Names of the pictures that the gallery's list draws, and the scenes they are of.
+// File names of the pictures that the gallery's list draws, and the scenes they are of.
 std::map<std::string, std::string> listed_pictures()
 {
     std::map<std::string, std::string> pictures;
@@ -118,7 +96,8 @@ std::map<std::string, std::string> listed_pictures()
     for (std::string line; std::getline(list, line);) {
         std::istringstream words(line);
         std::string name, scene;
-        if (!line.starts_with('#') && words >> name >> scene) pictures[name] = scene;
+        if (!line.starts_with('#') && words >> name >> scene)
+            pictures[name.find('.') == std::string::npos ? name + ".png" : name] = scene;
     }
     return pictures;
 }
@@ -133,7 +112,7 @@ TEST(Gallery, shows_every_scene)
 
 TEST(Gallery, has_the_pictures_of_its_pages_and_no_others)
 {
-    static const std::regex picture(R"(\(images/(\w+)\.png\))");
+    static const std::regex picture(R"(\(images/([\w.]+)\))");
     std::set<std::string> used, listed;
     for (const char* page : {"README", "000", "001", "002", "003", "004"}) {
         std::string text = read_text(source_folder() / "docs/gallery" / (std::string(page) + ".md"));
@@ -143,9 +122,9 @@ TEST(Gallery, has_the_pictures_of_its_pages_and_no_others)
     for (const auto& [name, scene] : listed_pictures()) listed.insert(name);
     EXPECT_EQ(used, listed);
     for (const std::string& name : used) {
-        fs::path file = source_folder() / "docs/gallery/images" / (name + ".png");
+        fs::path file = source_folder() / "docs/gallery/images" / name;
         ASSERT_TRUE(fs::exists(file)) << file << ": `./dev docs` draws it";
-        EXPECT_LE(fs::file_size(file), 150'000u) << file;
+        EXPECT_LE(fs::file_size(file), 250'000u) << file;
     }
 }
 

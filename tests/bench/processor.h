@@ -40,7 +40,7 @@ private:
     {
         renderer::lower_priority("compiling", renderer::Priority::compile);
         renderer::GpuDevice gpu;
-        std::string text = gpu.shader_text(program, 0);
+        std::string text = gpu.shader_text(program, {});
         while (!stopped_) {
             gpu.ready_seconds(text);
             ++compiled_;

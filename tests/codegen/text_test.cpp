@@ -84,10 +84,13 @@ TEST(Text, is_untouched_by_a_drag_of_any_number_of_any_type)
     auto library = graph::Library::embedded();
     for (const graph::NodeType* type : library->types()) {
         Starter starter(*type, library);
-        std::string before = fragment(starter.scene, Placement::buffer);
         for (const graph::Parameter& parameter : type->parameters) {
             if (!graph::has_range(parameter.kind)) continue;
-            for (const graph::Value& value : dragged_values(parameter)) {
+            std::vector<graph::Value> values = dragged_values(parameter);
+            // Whether there is a lens at all is structure.
+            if (parameter.name == "aperture") starter.scene.set(starter.subject, parameter.name, values[0]);
+            std::string before = fragment(starter.scene, Placement::buffer);
+            for (const graph::Value& value : values) {
                 starter.scene.set(starter.subject, parameter.name, value);
                 ASSERT_EQ(fragment(starter.scene, Placement::buffer), before) << type->name << "." << parameter.name;
             }

@@ -263,6 +263,26 @@ TEST(Dialect, TextsFormulasAndNumbersOfTheHeaderAreParameters)
     EXPECT_EQ(type.help, "A test.");
 }
 
+TEST(Dialect, ASwitchOfTheHeaderMayHaveANodeFollowAnother)
+{
+    auto node = [](const std::string& header) {
+        return "// Bad: a test.\n" + header +
+               "float bad_value(\n    float x)  // 1.0  A factor.\n{\n    return x;\n}\n";
+    };
+    const std::string follows = "// follows: sun while led\n", path = "nodes/value/bad.glsl";
+    NodeType type = declare(node(follows + "// switch led: true older false  Whether.\n"), path);
+    ASSERT_EQ(type.parameters.size(), 2u);
+    EXPECT_EQ(type.parameters[1].kind, ParameterKind::boolean);
+    EXPECT_EQ(type.parameters[1].initial, Value(true));
+    EXPECT_EQ(type.parameters[1].older, Value(false));
+    EXPECT_EQ(type.parameters[0].older, std::nullopt);
+    EXPECT_EQ(type.follows, "sun");
+    EXPECT_EQ(type.inputs.size(), 1u) << "a switch has no socket";
+    EXPECT_NE(refusal(node(follows), path).find("`led` is no switch"), std::string::npos);
+    EXPECT_NE(refusal(node("// follows: sun\n"), path).find("TYPE while SWITCH"), std::string::npos);
+    EXPECT_NE(refusal(node("// switch led: true older 7  Whether.\n"), path).find("older default"), std::string::npos);
+}
+
 TEST(Dialect, AnImageIsAPathWhoseFunctionReceivesAList)
 {
     auto node = [](const std::string& arguments) {

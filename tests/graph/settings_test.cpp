@@ -70,6 +70,9 @@ TEST(Settings, have_limits_that_are_told)
               std::string::npos);
     EXPECT_NE(message(scene(R"("march": {"normals": "none"}, )")).find(R"(must be `tetrahedron` or `central`)"),
               std::string::npos);
+    EXPECT_NE(message(scene(R"("march": {"anti_aliasing": "much"}, )"))
+                  .find("$.march.anti_aliasing: must be `none` or `coverage`"),
+              std::string::npos);
     EXPECT_NE(message(scene(R"("march": {"steps": 1}, )")).find("`step_limit`"), std::string::npos);
     Document document;
     OcclusionSettings occlusion;

@@ -56,7 +56,11 @@ void expect_equal(const Frame& a, const Frame& b)
 
 void expect_alike(const graph::Program& program, GpuDevice& gpu, const FrameRequest& request)
 {
-    Frame on_cpu = render_on_cpu(program, request), on_gpu = gpu.render(program, request);
+    FrameRequest counted = request;
+    counted.counts = true;
+    Frame on_cpu = render_on_cpu(program, counted), on_gpu = gpu.render(program, counted);
+    EXPECT_NEAR(static_cast<double>(on_gpu.evaluations), static_cast<double>(on_cpu.evaluations),
+                0.001 * static_cast<double>(on_cpu.evaluations));
     for (const std::string& name : view_names()) {
         View view = *view_from_name(name);
         EXPECT_LE(share_apart(picture(on_cpu, view, program.march.step_limit),

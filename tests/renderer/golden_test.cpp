@@ -148,6 +148,13 @@ TEST(Goldens, of_every_field_type)
     for (const auto& [title, make] : scenes()) compare(title, picture_of(composed(make)));
 }
 
+TEST(Goldens, of_coverage)
+{
+    Scene scene = composed(combined("union"));
+    scene.document.march.coverage = true;
+    compare("coverage", picture_of(scene));
+}
+
 TEST(Goldens, of_every_view)
 {
     Scene scene = composed(combined("smooth_union"));
@@ -222,7 +229,8 @@ TEST(Goldens, are_all_drawn_by_some_test)
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(FIELDWRIGHT_SOURCE_DIR "/tests/goldens"))
         files += entry.path().extension() == ".png" ? 1 : 0;
-    std::size_t expected = scenes().size() + renderer::view_names().size() + optics().size();
+    std::size_t expected =
+        scenes().size() + renderer::view_names().size() + optics().size() + 1;  // and that of coverage
     for (const graph::NodeType* type : graph::Library::embedded()->types())
         expected += is_setting(type->category) ? 1 : 0;
     for (const auto& entry : std::filesystem::directory_iterator(FIELDWRIGHT_SOURCE_DIR "/examples"))

@@ -3,6 +3,7 @@
 #include "tests/support/pictures.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -74,6 +75,22 @@ FrameRequest with_layers()
     FrameRequest request{.width = 128, .height = 72};
     request.layers = true;
     return request;
+}
+
+TEST(Layers, of_mirrors_and_glass_add_up_to_the_picture)
+{
+    Scene scene = still_life();
+    scene.document.fog.density = 0.05f;
+    graph::Program program = scene.program();
+    FrameRequest plain = with_layers();
+    plain.layers = false;
+    GpuDevice gpu;
+    Frame layered = render_on_cpu(program, with_layers());
+    EXPECT_GT(std::count_if(layered.layers->reflection.begin(), layered.layers->reflection.end(),
+                            [](const vec3& light) { return light.g > 0.1f; }),
+              200);
+    EXPECT_EQ(pixels_off(render_on_cpu(program, plain), layered), 0);
+    EXPECT_EQ(pixels_off(gpu.render(program, plain), gpu.render(program, with_layers())), 0);
 }
 
 TEST(Layers, are_the_same_on_both_devices)
@@ -151,7 +168,7 @@ TEST(Frame, has_layers_only_when_they_are_asked_for)
     FrameRequest request{.width = 16, .height = 16};
     EXPECT_FALSE(render_on_cpu(program, request).layers);
     EXPECT_FALSE(gpu.render(program, request).layers);
-    EXPECT_EQ(gpu.shader_text(program, 0).find("shadow_steps"), std::string::npos);
+    EXPECT_EQ(gpu.shader_text(program, {}).find("shadow_steps"), std::string::npos);
     request.layers = true;
     EXPECT_TRUE(gpu.render(program, request).layers);
 }

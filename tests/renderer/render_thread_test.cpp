@@ -388,6 +388,20 @@ TEST(RenderThread, adds_samples_to_a_finished_picture_and_then_rests)
     }
 }
 
+TEST(RenderThread, adds_samples_to_views_of_light_and_none_to_data)
+{
+    PictureRequest request = request_of(program_of(balls(1)), 32, 18);
+    request.exposure.samples = 12;
+    for (std::string name : {"beauty", "glow", "ambient", "diffuse", "specular", "reflection", "emission"}) {
+        request.display.view = *view_from_name(name);
+        EXPECT_EQ(wanted_samples(request), 12) << name;
+    }
+    for (std::string name : {"steps", "normal", "depth", "id", "albedo", "shadow", "slice"}) {
+        request.display.view = *view_from_name(name);
+        EXPECT_EQ(wanted_samples(request), 1) << name;
+    }
+}
+
 TEST(RenderThread, adds_no_samples_while_a_hand_moves_and_goes_on_where_it_was)
 {
     PictureRequest request = request_of(program_of(balls(8)), 320, 180);
@@ -510,6 +524,7 @@ TEST(RenderThread, bears_one_loss_of_the_gpu_and_goes_on_without_it_after_two)
 
     gpu_only.frame.time = 1;
     gpu_only.generation = 2;
+    std::this_thread::sleep_for(200ms);  // the call that tells of the first loss must not be taken for the second
     loses = true;
     thread.request(gpu_only);
     EXPECT_TRUE(poll_until([&] { return losses == 2; }));

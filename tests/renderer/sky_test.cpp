@@ -39,28 +39,28 @@ private:
 
 TEST(SunAndSky, shows_the_disc_where_the_sun_light_comes_from)
 {
-    Sky sky("sun_and_sky", {{"elevation", 30.0f}, {"azimuth", 70.0f}, {"disc", 2.0f}});
+    Sky sky("sun_and_sky", {{"follow_sun", false}, {"elevation", 30.0f}, {"azimuth", 70.0f}, {"disc", 2.0f}});
     float up = std::sin(glm::radians(30.0f)), level = std::cos(glm::radians(30.0f));
     vec3 sun(level * std::sin(glm::radians(70.0f)), up, level * std::cos(glm::radians(70.0f)));
     EXPECT_GT(sky(sun).r, 5);
     vec3 beside = sun + vec3(0, std::tan(glm::radians(3.0f)), 0);
     EXPECT_LT(sky(beside).r, 2);
     EXPECT_LT(sky(sun, 1).r, 2) << "the light of the disc is the sun node's";
-    Sky without("sun_and_sky", {{"elevation", 30.0f}, {"azimuth", 70.0f}, {"disc", 0.0f}});
+    Sky without("sun_and_sky", {{"follow_sun", false}, {"elevation", 30.0f}, {"azimuth", 70.0f}, {"disc", 0.0f}});
     EXPECT_LT(without(sun).r, 2);
 }
 
 TEST(SunAndSky, is_blue_above_pale_at_the_horizon_and_red_at_dusk)
 {
-    Sky noon("sun_and_sky", {{"elevation", 60.0f}, {"azimuth", 0.0f}});
+    Sky noon("sun_and_sky", {{"follow_sun", false}, {"elevation", 60.0f}, {"azimuth", 0.0f}});
     vec3 zenith = noon({0, 1, 0}), horizon = noon({0, 0.02f, -1});
     EXPECT_GT(zenith.b, 1.8f * zenith.r);
     EXPECT_LT(horizon.b, 1.5f * horizon.r);
     EXPECT_GT(horizon.g, zenith.g);
-    Sky dusk("sun_and_sky", {{"elevation", 2.0f}, {"azimuth", 0.0f}});
+    Sky dusk("sun_and_sky", {{"follow_sun", false}, {"elevation", 2.0f}, {"azimuth", 0.0f}});
     vec3 glow = dusk({0, 0.1f, 1});
     EXPECT_GT(glow.r, 1.5f * glow.b);
-    Sky night("sun_and_sky", {{"elevation", -30.0f}});
+    Sky night("sun_and_sky", {{"follow_sun", false}, {"elevation", -30.0f}});
     EXPECT_LT(night({0, 1, 0}).b, 0.01f);
 }
 

@@ -79,6 +79,23 @@ TEST(Slice, is_blue_inside_and_amber_outside_and_white_on_the_surface)
     EXPECT_GT(glm::min(brightest.r, glm::min(brightest.g, brightest.b)), 0.7f);
 }
 
+TEST(Slice, has_darker_lines_where_the_distance_is_a_multiple_of_the_spacing)
+{
+    FrameRequest request = request_of(SliceStyle::sign);
+    request.slice->spacing = 0.4f;
+    Frame frame = render_on_cpu(ball().program(), request);
+    auto brightness = [&](float distance) {
+        std::size_t nearest = index(side / 2, side / 2);
+        for (int x = side / 2; x < side; ++x)
+            if (std::abs(frame.depth[index(x, side / 2)] - distance) < std::abs(frame.depth[nearest] - distance))
+                nearest = index(x, side / 2);
+        return glm::dot(frame.colour[nearest], vec3(1));
+    };
+    for (float line : {-0.4f, 0.4f, 0.8f})
+        EXPECT_LT(brightness(line), 0.8f * std::min(brightness(line - 0.1f), brightness(line + 0.1f))) << line;
+    EXPECT_GT(brightness(0.6f), 0.9f * std::min(brightness(0.5f), brightness(0.7f))) << "no line in between";
+}
+
 TEST(Grey, is_the_distance_either_side_by_a_gamma)
 {
     FrameRequest request = request_of(SliceStyle::grey);

@@ -535,10 +535,18 @@ TEST(Inspector, shows_the_marching_settings_that_matter)
     EXPECT_FALSE(driver.shows("inspector/scene/minimum_step"));
     driver.click("inspector/scene/normals/central");
     EXPECT_TRUE(driver.document.march.central_normals);
+    driver.click("inspector/scene/anti_aliasing/coverage");
+    EXPECT_TRUE(driver.document.march.coverage);
     driver.click("inspector/scene/occlusion/kind/smallest_ratio");
     EXPECT_TRUE(driver.document.occlusion.smallest_ratio);
     drag_right(driver, "inspector/scene/occlusion/samples", 60);
     EXPECT_GT(driver.document.occlusion.samples, 5);
+    float radius = driver.document.occlusion.radius;
+    int samples = driver.document.occlusion.samples;
+    drag_right(driver, "inspector/scene/occlusion/step", 40);
+    EXPECT_GT(driver.document.occlusion.radius, radius) << "samples as far apart as the step reach as far";
+    EXPECT_EQ(driver.document.occlusion.samples, samples);
+    EXPECT_EQ(driver.steps.back().second, "Change step");
 }
 
 TEST(Inspector, several_selected_edits_the_active_one)

@@ -1,5 +1,7 @@
 // Sun and sky: A clear sky as the sun's height makes it: blue above, pale at the horizon, red when the sun is low.
 // synonyms: daylight, atmosphere, physical sky, sunset, dusk, dawn, outdoor, background, environment
+// follows: sun while follow_sun
+// switch follow_sun: true older false  Takes its elevation and azimuth from the scene's first sun light, animated ones too. Off in scenes from before this switch.
 
 // Optical depth of the whole air straight up, at 680, 550 and 440 nm.
 const vec3 SUN_AND_SKY_AIR = vec3(0.0464f, 0.108f, 0.265f);
@@ -40,7 +42,7 @@ vec3 sun_and_sky_air(vec3 direction, vec3 sun, float haze)
 vec3 sun_and_sky_sky(
     vec3 direction,
     float spread,
-    float elevation,  // 45.0 [-90, 90] deg  Height of the sun above the horizon; as that of a sun light.
+    float elevation,  // 45.0 [-90, 90] deg  Height of the sun above the horizon; as that of a sun light, whose angles count while it follows one.
     float azimuth,    // 35.0 [-360, 360] [-180, 180] deg  Turn of the sun around y: 0 is in front (+z), 90 to the right (+x).
     float haze,       // 1.0 [0, 50] [0, 10]  How much dust and mist is in the air.
     float disc,       // 2.0 [0, 30] [0, 5] deg  How wide the sun is; the real one is half a degree. 0 hides it.
