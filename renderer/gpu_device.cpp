@@ -139,6 +139,7 @@ void set_view(const Shader& shader, const FrameRequest& request)
     shader.set("convergence", request.convergence);
     shader.set("toe_in", request.toe_in ? 1.0f : 0.0f);
     shader.set("sky", request.sky ? 1.0f : 0.0f);
+    shader.set("pixel_size", 2.0f / static_cast<float>(request.height));
     shader.set("has_view", request.camera ? 1 : 0);
     if (!request.camera) return;
     Viewpoint view = viewpoint_of(*request.camera);

@@ -99,6 +99,8 @@ void weave_frame(Frame& whole, const Frame& lattice, glm::ivec2 first)
     auto from = light_buffers(lattice);
     for (std::size_t k = 0; k < to.size(); ++k) weave(*to[k], *from[k], whole, lattice, first);
     weave(whole.depth, lattice.depth, whole, lattice, first);
+    whole.covered.resize(lattice.covered.empty() ? 0 : whole.colour.size());
+    if (!whole.covered.empty()) weave(whole.covered, lattice.covered, whole, lattice, first);
 }
 
 // Sample `sample` of the pixels of one lattice: a share of the shutter and a turn of the lens on.

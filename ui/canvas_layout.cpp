@@ -1,6 +1,8 @@
 // Laying out nodes and wires, and looking them up by place.
 #include "ui/canvas_layout.h"
 
+#include "graph/leader.h"
+
 #include <algorithm>
 
 namespace fieldwright::ui {
@@ -29,6 +31,9 @@ CanvasLayout::CanvasLayout(const graph::Graph& graph, const graph::Library& libr
             glm::vec2 low = node.position + (front ? drag : glm::vec2(0));
             nodes_.push_back(
                 {&node, type, {low, low + node_size(node, type)}, type ? type->output : graph::SocketKind::none});
+            const graph::Node* leader = type ? graph::leader_of(graph, node, *type) : nullptr;
+            nodes_.back().leader = leader;
+            nodes_.back().leader_type = leader ? library.type(leader->type) : nullptr;
         }
     by_id_.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) by_id_[i] = i;

@@ -13,6 +13,8 @@ struct CanvasNode {
     graph::SocketKind output;  // of unknown types: none
 
     InputRows rows{*node, type};
+    const graph::Node* leader = nullptr;  // whose parameters it follows (graph/leader.h), and that one's type
+    const graph::NodeType* leader_type = nullptr;
 
     std::size_t input_count() const { return rows.count(); }
     std::string_view input_name(std::size_t row) const;

@@ -1,6 +1,7 @@
 // Painting the grid, nodes, pins and wires.
 #include "ui/canvas_painter.h"
 
+#include "graph/leader.h"
 #include "ui/icons.h"
 #include "ui/node_words.h"
 
@@ -286,7 +287,8 @@ void CanvasPainter::row_value(const CanvasNode& node, std::size_t row, float lef
                             swatch_colour(std::get<glm::vec3>(*value)), px(3));
         return;
     }
-    std::string words = value_text(*parameter, *value);
+    bool led = node.leader && graph::is_led(*node.node, *parameter, *node.leader_type);
+    std::string words = led ? "from " + node_title(*node.leader, node.leader_type) : value_text(*parameter, *value);
     float width = text_width(size, words), room = right - left_px;
     if (width > room && !std::holds_alternative<std::string>(*value)) return;  // half a number is another number
     width = std::min(width, room);

@@ -117,6 +117,7 @@ void heatmap_rows(FrameContext& frame)
                       .soft_minimum = 0,
                       .soft_maximum = 512,
                       .whole = true,
+                      .at_zero = "Step limit",
                       .tip = "Steps at the end of the colours, and of the full glow; 0 is the step limit."};
     double steps = view.full_scale;
     scale.width_px = begin_row(frame, "Full scale", scale.tip);

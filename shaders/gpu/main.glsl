@@ -17,7 +17,8 @@ uniform float toe_in;     // 1: the eyes turn, else off-axis
 uniform bool has_view;    // else the scene's camera
 uniform Viewpoint view;
 #if COVERAGE
-uniform float sky;        // 1: it shows where eye rays meet nothing, else a backdrop is laid there
+uniform float sky;         // 1: it shows where eye rays meet nothing, else a backdrop is laid there
+uniform float pixel_size;  // of the whole picture, in uv
 #endif
 
 // What else is kept of a pixel, as one number: a whole one, and half a share as what is left of it.
@@ -101,7 +102,6 @@ void main()
     vec2 uv = (2.0 * (gl_FragCoord.xy + first_pixel + offset) - resolution) / resolution.y;
     Ray ray = eye_ray(uv);
 #if COVERAGE
-    float pixel_size = 2.0 / resolution.y;
     Footprint footprint = make_footprint(ray, eye_ray(uv + vec2(pixel_size, 0.0)), eye_ray(uv + vec2(0.0, pixel_size)));
 #endif
     write(trace_pixel(ray,

@@ -108,21 +108,24 @@ Sight see(Probe start, March march, int ray_count, float side)
         // Legs of a shadow ray from surface to surface; of the eye's the first ends it.
         Beam beam = make_beam();
         if (index > 0) leg_march = shadow_march(march);
-        for (int crossing = 0; crossing <= BEAM_CROSSINGS; crossing++) {
-        if (index > 0) leg_side = beam.side;
+        for (int crossing = 0; crossing <= BEAM_CROSSINGS; crossing++)
+#endif
+        {
+#if TINTED_SHADOWS
+            if (index > 0) leg_side = beam.side;
 #endif
 #if COVERAGE
-        while (!edge_done(edge)) {
-            float d = leg_side * scene_distance(edge_point(edge, leg_march));
-            edge = next_edge(edge, next_probe(edge.probe, d, leg_march), d, leg_march);
-        }
-        probe = edge.probe;
-        if (index == 0) sight.edge = edge;
+            while (!edge_done(edge)) {
+                float d = leg_side * scene_distance(edge_point(edge, leg_march));
+                edge = next_edge(edge, next_probe(edge.probe, d, leg_march), d, leg_march);
+            }
+            probe = edge.probe;
+            if (index == 0) sight.edge = edge;
 #else
-        while (!probe_done(probe)) {
-            float d = leg_side * scene_distance(probe_point(probe, leg_march));
-            probe = next_probe(probe, d, leg_march);
-        }
+            while (!probe_done(probe)) {
+                float d = leg_side * scene_distance(probe_point(probe, leg_march));
+                probe = next_probe(probe, d, leg_march);
+            }
 #endif
 #if TINTED_SHADOWS
             bool asks = index > 0 ? beam_asks(probe, light, scene_shadow(index - 1)) : !probe_missed(probe);
@@ -138,8 +141,8 @@ Sight see(Probe start, March march, int ray_count, float side)
 #if COVERAGE
             edge = ignored_edge(probe);
 #endif
-        }
 #endif
+        }
         if (index > 0) {
 #if TINTED_SHADOWS
             visibility[index - 1] = beam_visibility(beam, probe);
@@ -175,6 +178,7 @@ Sight see(Probe start, March march, int ray_count, float side)
     float spread = 0.0;
     if (sight.hit) {
 #if TINTED_SHADOWS
+        // The loop has asked it.
 #else
         surface = scene_surface(sight.position);
 #endif

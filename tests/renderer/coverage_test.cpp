@@ -4,7 +4,9 @@
 #include "tests/support/pictures.h"
 
 #include <gtest/gtest.h>
+
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace fieldwright::tests {
@@ -327,6 +329,28 @@ TEST(Coverage, is_the_same_on_both_devices_with_everything_and_for_every_eye)
             for (std::size_t i = 0; i < a.covered.size(); ++i) apart += std::abs(a.covered[i] - b.covered[i]) > 0.01f;
             EXPECT_LE(static_cast<double>(apart), 0.005 * static_cast<double>(a.covered.size()));
         }
+}
+
+// With a shutter a sample is drawn as lattices of its pixels, each at a moment of its own: where nothing moves, the same
+// picture.
+TEST(Coverage, is_the_same_in_the_lattices_of_a_shutter)
+{
+    graph::Program program = white(disc).program();
+    GpuDevice gpu;
+    using Device = std::function<Frame(const FrameRequest&)>;
+    for (const Device& render : {Device([&](const FrameRequest& request) { return render_on_cpu(program, request); }),
+                                 Device([&](const FrameRequest& request) { return gpu.render(program, request); })}) {
+        Frame whole = render(sample_of(small, {}, 1)), woven(small.width, small.height);
+        draw_sample(woven, small, {.shutter = 0.5f}, 1, [&](Frame& frame, const FrameRequest& request) {
+            frame = render(request);
+            return true;
+        });
+        ASSERT_EQ(woven.covered.size(), whole.covered.size());
+        for (std::size_t i = 0; i < whole.covered.size(); ++i) {
+            ASSERT_NEAR(woven.covered[i], whole.covered[i], 2e-3f) << i;
+            ASSERT_NEAR(woven.colour[i].r, whole.colour[i].r, 2e-3f) << i;
+        }
+    }
 }
 
 TEST(Coverage, keeps_the_sum_of_the_layers)

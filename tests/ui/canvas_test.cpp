@@ -58,6 +58,18 @@ protected:
     std::optional<Driver> driver;
 };
 
+TEST_F(CanvasTest, a_node_that_follows_another_knows_it)
+{
+    NodeId sky = add("sun_and_sky", {0, 0}), other_sky = add("gradient", {200, 0}), sun = add("sun", {400, 0});
+    auto leader = [&](NodeId node) { return ui::CanvasLayout(start.root, *library, {}, {}).find(node)->leader; };
+    ASSERT_TRUE(leader(sky));
+    EXPECT_EQ(leader(sky)->id, sun);
+    EXPECT_FALSE(leader(other_sky));
+    EXPECT_FALSE(leader(sun));
+    ASSERT_FALSE(graph::set_parameter(start, *library, sky, "follow_sun", false));
+    EXPECT_FALSE(leader(sky));
+}
+
 TEST_F(CanvasTest, a_wire_is_dragged_from_output_to_input)
 {
     NodeId sphere = add("sphere", {0, 0}), output = add("output", {300, 0});
