@@ -153,7 +153,7 @@ void require_sense(const RenderArguments& arguments)
     PictureFormat format = arguments.format();
     bool of_light = format == PictureFormat::hdr || format == PictureFormat::exr;
     if (of_light && (arguments.display.view != "beauty" || arguments.sheet))
-        refuse("--view and --sheet are for .png and .jpg; .exr holds every buffer as a layer");
+        refuse("--view and --sheet are for .png and .jpg; .exr holds every buffer as a layer, .hdr the light");
     if (of_light && (!arguments.tone_map.empty() || arguments.exposure))
         refuse("--tone-map and --exposure are for .png and .jpg; .hdr and .exr hold the light itself");
     if (of_light && arguments.enlarge > 1) refuse("--enlarge is for .png and .jpg, to be looked at");
