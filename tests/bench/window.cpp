@@ -123,8 +123,9 @@ FrameLog drag(DrivenWindow& driven)
     driven.run(0.2);
     std::size_t steps = driven.workbench().session().history().size();
     driven.button(true);
+    // Always to the right of where it began: a drag that ends with the value it had is no step.
     FrameLog log =
-        driven.measure(phase_seconds, [&](double s) { driven.move(field + glm::vec2(30 * std::sin(3 * s), 0)); });
+        driven.measure(phase_seconds, [&](double s) { driven.move(field + glm::vec2(20 + 15 * std::sin(3 * s), 0)); });
     driven.button(false);
     driven.run(0.3);
     demand(driven.workbench().session().history().size() == steps + 1, "a drag is one step");
