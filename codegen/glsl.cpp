@@ -273,6 +273,7 @@ std::string print_export(const graph::Program& program, const graph::Document& d
     text += formula_texts(program) + nodes + march_constants(program, features);
     if (features.fog) text += fog_constant(program.fog);
     text += frame + scene + pixel_text(program, features) + look_texts(program, document.picture, parts);
+    text += graph::with_parts(program.library->text("export/pixel_at.glsl"), parts) + "\n";
     const char* main_file = target == "glsl" ? "export/glsl.glsl" : "export/shadertoy.glsl";
     return text + graph::with_parts(program.library->text(main_file), parts);
 }

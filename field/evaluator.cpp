@@ -1,15 +1,12 @@
 // Runs an entry's operations over rows.
 #include "field/evaluator.h"
 
+#include "field/program_values.h"
+
 #include <algorithm>
 #include <cassert>
 
 namespace fieldwright::field {
-namespace {
-
-std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
-
-}  // namespace
 
 Evaluator::Workspace::Workspace(const Evaluator& evaluator)
     : memory_(static_cast<std::size_t>(evaluator.row_count_) * row_width + 16),

@@ -1,6 +1,7 @@
 // Compiles an entry into operations over rows.
 #include "field/evaluator.h"
 #include "field/kernel_finder.h"
+#include "field/program_values.h"
 #include "field/single_arguments.h"
 #include "field/value_lives.h"
 
@@ -15,10 +16,6 @@ namespace {
 using graph::Instruction;
 using graph::Program;
 using graph::ValueId;
-
-std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
-
-const graph::ProgramValue& value_of(const Program& program, ValueId id) { return program.values[index(id)]; }
 
 // Rows of a workspace, handed out in runs.
 class RowPool {

@@ -1,6 +1,7 @@
 // The values of a frame: calls whose arguments are single numbers, each run as a row of one point.
 #include "field/evaluator.h"
 #include "field/kernel_finder.h"
+#include "field/program_values.h"
 
 #include <array>
 #include <cassert>
@@ -11,10 +12,6 @@ namespace {
 using graph::Instruction;
 using graph::Program;
 using graph::ValueId;
-
-std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
-
-const graph::ProgramValue& value_of(const Program& program, ValueId id) { return program.values[index(id)]; }
 
 // Rows of one point for the calls of a frame: room for the arguments of any, and for its result.
 class FrameRows {

@@ -1,6 +1,7 @@
 // Finds the guards in unions, gathers what only they need, and puts it behind their rivals.
 #include "field/steps.h"
 
+#include "field/program_values.h"
 #include "graph/known_types.h"
 
 #include <algorithm>
@@ -19,8 +20,6 @@ using graph::ValueId;
 
 constexpr std::string_view distance_suffix = "_distance";
 constexpr std::size_t least_worthwhile = 4;  // calls; fewer take no longer than looking whether they are needed
-
-std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
 
 class Planner {
 public:

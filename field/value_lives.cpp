@@ -1,6 +1,8 @@
 // One walk over the steps, blocks kept on a stack.
 #include "field/value_lives.h"
 
+#include "field/program_values.h"
+
 #include <algorithm>
 
 namespace fieldwright::field {
@@ -8,8 +10,6 @@ namespace {
 
 using graph::Carried;
 using graph::ValueId;
-
-std::size_t index(std::int32_t number) { return static_cast<std::size_t>(number); }
 
 // By step at which a block begins: the step of its end.
 std::vector<int> block_ends(const std::vector<Step>& steps)
