@@ -78,7 +78,7 @@ Rows view_rows(const graph::Library& library, const Viewpoint& view)
     return rows;
 }
 
-// As in shaders/gpu/sight.glsl: loop iterations of a ray beside its steps.
+// As in shaders/gpu/pixel.glsl: loop iterations of a ray beside its steps.
 int ray_overhead(const graph::Program& program, bool tinted_shadows)
 {
     int shadows = graph::shadow_count(program), crossings = tinted_shadows ? shadows * beam_crossings : 0;
